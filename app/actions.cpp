@@ -84,7 +84,7 @@ const std::vector<ActionSpec> kActions = {
     {"edit.comment", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Toggle Comment (Ctrl+/)"), "", none, inEditor<&editor::StEditor::toggleComment>},
     {"edit.duplicate", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Duplicate"), "Ctrl+D", none, inEditor<&editor::StEditor::duplicateLine>},
     {"edit.selectBlock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Select Enclosing Block"), "Ctrl+Shift+Up", none, inEditor<&editor::StEditor::selectBlock>},
-    {"edit.nextOccurrence", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Select the Next Occurrence Too"), "Alt+J", none, inEditor<&editor::StEditor::selectNextOccurrence>},
+    {"edit.nextOccurrence", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Add Next Occurrence to Selection"), "Alt+J", none, inEditor<&editor::StEditor::selectNextOccurrence>},
     {"edit.matching", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Matching Keyword"), "Ctrl+M", none, inEditor<&editor::StEditor::goToMatchingWord>},
     {"edit.nextProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Problem"), "F4", none, [](MainWindow& w) { w.problems().goToNext(1); }},
     {"edit.previousProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Problem"), "Shift+F4", none, [](MainWindow& w) { w.problems().goToNext(-1); }},

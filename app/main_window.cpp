@@ -46,6 +46,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
 #include <map>
 
 namespace plc::app {
@@ -206,7 +207,8 @@ void MainWindow::makeDocks() {
     trace->raise();
     resizeDocks({dock("project")}, {230}, Qt::Horizontal);
     resizeDocks({watch}, {440}, Qt::Horizontal);
-    resizeDocks({trace}, {400}, Qt::Vertical);
+    // On a small screen the text keeps the larger part.
+    resizeDocks({trace}, {std::min(400, screen()->availableGeometry().height() * 2 / 5)}, Qt::Vertical);
     resizeDocks({watch, panel}, {220, 400}, Qt::Vertical);
     auto* timeBar = new QToolBar(tr("Time"), this);
     timeBar->setObjectName("timeToolBar");
@@ -216,8 +218,7 @@ void MainWindow::makeDocks() {
     m_recordingButton->setObjectName("recordingShown");
     m_recordingButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_recordingButton->setIcon(kit::icon(kit::Icon::Record));
-    m_recordingButton->setToolTip(
-        tr("All values are of a recording from a file. A click goes back to the controller."));
+    m_recordingButton->setToolTip(tr("All values are from a recording file. Click to go back to the controller."));
     connect(m_recordingButton, &QToolButton::clicked, this, &MainWindow::backToLive);
     QAction* recordingShown = timeBar->addWidget(m_recordingButton);
     recordingShown->setObjectName("recordingShownAction");

@@ -130,7 +130,7 @@ void MainWindow::connectSearch() {
 void MainWindow::connectEditors() {
     connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
     connect(m_workspace, &editor::Workspace::encodingFound, this, [this](const QString& file, const QString& encoding) {
-        say(tr("%1 is written in %2 and is saved as it was found").arg(file, encoding), true);
+        say(tr("%1 is encoded in %2 and will be saved in that encoding").arg(file, encoding), true);
     });
     connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
     connect(m_tabs, &QTabWidget::tabBarDoubleClicked, m_perspectives, &Perspectives::toggleMaximised);

@@ -177,7 +177,7 @@ void MainWindow::offerRecovery() {
     for (const auto& [file, text] : found) names << file;
     const auto answer = QMessageBox::question(
         this, tr("Recovery"),
-        tr("The studio ended without saving. Unsaved changes of %1 were kept. Restore them?").arg(names.join(", ")));
+        tr("Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?").arg(names.join(", ")));
     if (answer == QMessageBox::Yes)
         for (const auto& [file, text] : found) {
             m_workspace->setText(file, text);
@@ -357,7 +357,7 @@ void MainWindow::setSpeed() {
     if (present == modes.end()) choices << StatusLine::speedText(now);
     bool ok = false;
     const QString chosen =
-        QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller; any factor can be typed:"), choices,
+        QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller; any factor can be entered:"), choices,
                               static_cast<int>(present - modes.begin()), true, &ok)
             .trimmed();
     if (!ok) return;
@@ -445,22 +445,21 @@ void MainWindow::startTour() {
     const QString summary = GuideView::summaryOf(m_workspace->folder());
     std::vector<TourStop> stops = {
         {tr("Welcome"),
-         tr("%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it "
-            "at "
-            "once.")
+         tr("%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to "
+            "run it straight away.")
              .arg(summary.isEmpty()
                       ? tr("This is the project %1.").arg(QString::fromStdString(m_workspace->project().name))
                       : summary),
          {},
          {}},
         {tr("What to press"),
-         tr("The page beside the program is the project's README: what it shows, what to press, what to watch."),
+         tr("The page next to the program is the project's README: what it shows, what to press, what to watch."),
          dockWidget("guide"), [this] { showDock("guide"); }},
         {tr("The project"),
          tr("Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder."),
          dockWidget("project"), [this] { showDock("project"); }},
         {tr("The program"),
-         tr("Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick "
+         tr("Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick "
             "fixes; Ctrl+Space completes."),
          [this]() -> QWidget* { return m_tabs; },
          {}},
@@ -476,8 +475,8 @@ void MainWindow::startTour() {
              if (m_watch->expressions().isEmpty()) m_watch->setExpressions(tourExpressions());
          }},
         {tr("The trace"),
-         tr("Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any "
-            "expression afterwards."),
+         tr("Nothing has to be selected in advance: every scan is recorded, and any expression can be charted "
+            "afterwards."),
          dockWidget("trace"), [this] { showDock("trace"); }},
         {tr("The panel"),
          m_live->panels().panels.empty()

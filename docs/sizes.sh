@@ -2,7 +2,7 @@
 # Prints the table of sizes in docs/architecture.md: lines of files, lines of functions from head to closing brace.
 # usage: docs/sizes.sh            the table
 #        docs/sizes.sh FOLDER [N] the N (20) longest functions below a folder and its longest files
-#        docs/sizes.sh modules    each floor's modules over an eighth of its lines
+#        docs/sizes.sh modules    each layer's modules over an eighth of its lines
 # needs universal-ctags
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -29,7 +29,7 @@ modules() { # floor: lines of a module, share of the floor; a room of sema count
             END { printf "%d | %d | %s |\n", n, all, big ? big : "none" }'
 }
 if [ "${1:-}" = modules ]; then
-    echo '| floor | folders | lines | over an eighth of them |'
+    echo '| layer | folders | lines | modules over an eighth of them |'
     echo '|---|---|---|---|'
     for floor in runtime projects editor hmi app; do echo "| \`$floor\` | $(modules $floor)"; done
     exit 0
@@ -40,7 +40,7 @@ if [ $# -gt 0 ]; then
     files "$1" | sort -rn | head -n "${2:-20}"
     exit 0
 fi
-echo '| folder | files | lines of a file | functions | lines of a function | comment lines in sources |'
+echo '| folder | files | lines per file | functions | lines per function | comment lines in sources |'
 echo '|---|---|---|---|---|---|'
 for folder in runtime/compiler/parse runtime/compiler/sema runtime/compiler/codegen runtime projects editor hmi app; do
     echo "| \`$folder\` | $(sources $folder | wc -l) | $(files $folder | spread) | $(functions $folder | wc -l) | $(functions $folder | spread) | $(comments $folder) |"

@@ -72,12 +72,12 @@
         <translation>{0} er ikke en seriel port; skriv dens sti, for eksempel /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} og {1} lytter begge på port {2}; giv den ene en anden port</translation>
+        <source>{0} and {1} both listen on port {2}; change one of the ports</source>
+        <translation>{0} og {1} lytter begge på port {2}; skift den ene port</translation>
     </message>
     <message>
-        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
-        <translation>Porte under 1024 kræver særlige rettigheder; det gør en port som 1502 ikke</translation>
+        <source>Ports below 1024 require special privileges; use a port such as 1502</source>
+        <translation>Porte under 1024 kræver særlige rettigheder; brug en port som 1502</translation>
     </message>
     <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
@@ -120,7 +120,7 @@
         <translation>Kun en MQTT-kanal kan være af typen STRING; brug et tal eller BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <source>&quot;scale&quot; must not be 0; omit it for 1</source>
         <translation>”scale” må ikke være 0; udelad den for 1</translation>
     </message>
     <message>
@@ -132,7 +132,7 @@
         <translation>{0}: {1}</translation>
     </message>
     <message>
-        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <source>{0} has no variable yet; enter one, or have the addresses proposed (stepwise devices PROJECT --propose)</source>
         <translation>{0} har ingen variabel endnu; angiv en, eller lad adresserne foreslå (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
@@ -156,11 +156,11 @@
         <translation>{0} er en konstant og kan ikke skrives; vælg en variabel</translation>
     </message>
     <message>
-        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <source>{0} reports the quality of the channel and must be a BOOL or an integer</source>
         <translation>{0} angiver, om kanalen er gyldig, og skal være BOOL eller et heltal</translation>
     </message>
     <message>
-        <source>{0} says whether the device answers and must be a BOOL</source>
+        <source>{0} reports whether the device responds and must be a BOOL</source>
         <translation>{0} angiver, om enheden svarer, og skal være BOOL</translation>
     </message>
     <message>
@@ -168,15 +168,15 @@
         <translation>”onLoss”: ”safe” kræver værdien i ”safe”</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the password in its first line</source>
-        <translation>{0} kan ikke læses; dens første linje indeholder adgangskoden</translation>
+        <source>{0} cannot be read; its first line must be the password</source>
+        <translation>{0} kan ikke læses; dens første linje skal være adgangskoden</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
-        <translation>{0} kan ikke læses; den indeholder udstederens certifikater (PEM)</translation>
+        <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
+        <translation>{0} kan ikke læses; den skal indeholde udstederens certifikater (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <source>no response within {0} ms; check the cable, the address and the unit number</source>
         <translation>intet svar inden for {0} ms; kontroller kabel, adresse og enhedsnummer</translation>
     </message>
     <message>
@@ -184,11 +184,11 @@
         <translation>forbindelsen sluttede: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <source>the response does not match the request; check baud rate, parity and unit number</source>
         <translation>svaret passer ikke til forespørgslen; kontroller baudrate, paritet og enhedsnummer</translation>
     </message>
     <message>
-        <source>the device refuses {0} {1}: {2}</source>
+        <source>the device rejects {0} {1}: {2}</source>
         <translation>enheden afviser {0} {1}: {2}</translation>
     </message>
     <message>
@@ -200,23 +200,23 @@
         <translation>den har ingen sådan adresse; kontroller adressen i dens manual</translation>
     </message>
     <message>
-        <source>it does not take the value; check the range in its manual</source>
+        <source>it does not accept the value; check the range in its manual</source>
         <translation>den tager ikke imod værdien; kontroller området i dens manual</translation>
     </message>
     <message>
-        <source>it failed; look at the device</source>
-        <translation>den fejlede; se på enheden</translation>
+        <source>it reports a failure; check the device</source>
+        <translation>den melder en fejl; kontroller enheden</translation>
     </message>
     <message>
-        <source>it is busy; it is asked again</source>
-        <translation>den er optaget; den spørges igen</translation>
+        <source>it is busy; the request will be repeated</source>
+        <translation>den er optaget; forespørgslen gentages</translation>
     </message>
     <message>
-        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
         <translation>gatewayen kan ikke nå den; kontroller enhedsnummeret og kablet bag den</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <source>cannot listen on {0}: {1}; choose another address or port</source>
         <translation>kan ikke lytte på {0}: {1}; vælg en anden adresse eller port</translation>
     </message>
     <message>
@@ -228,11 +228,11 @@
         <translation>{0}: en værdi passer ikke i variablen; brug en større type eller en skalering</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms; check the client and its address</source>
+        <source>no client has written for {0} ms; check the client and its address</source>
         <translation>ingen klient har skrevet i {0} ms; kontroller klienten og dens adresse</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <source>the broker rejects the connection: {0}; check the user and the password</source>
         <translation>brokeren afviser forbindelsen: {0}; kontroller bruger og adgangskode</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>Enhederne havde fejl, da styringens program blev oversat; ret dem, og oversæt igen</translation>
     </message>
     <message>
-        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <source>Set the speed to real time first; devices cannot follow any other speed</source>
         <translation>Sæt først hastigheden til realtid; enheder kan ikke følge med en anden</translation>
     </message>
     <message>
@@ -1060,8 +1060,8 @@
         <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
     </message>
     <message>
-        <source>the variable is not forced</source>
-        <translation>variablen er ikke forceret</translation>
+        <source>the variable is not forced; there is nothing to release</source>
+        <translation>variablen er ikke forceret; der er intet at ophæve</translation>
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
@@ -1428,16 +1428,16 @@
         <translation>Der er ingen aktion {0}; tilføj den, eller ret navnet</translation>
     </message>
     <message>
-        <source>A coil writes a variable.</source>
-        <translation>En spole skriver en variabel.</translation>
+        <source>A coil writes a variable; enter the name of one.</source>
+        <translation>En spole skriver en variabel; indtast dens navn.</translation>
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
         <translation>Et ben har ingen kontakter; skriv et udtryk.</translation>
     </message>
     <message>
-        <source>A rung cannot move into itself.</source>
-        <translation>Et netværk kan ikke flyttes ind i sig selv.</translation>
+        <source>A rung cannot be moved into itself; choose a place outside it.</source>
+        <translation>Et netværk kan ikke flyttes ind i sig selv; vælg et sted uden for det.</translation>
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
@@ -1508,16 +1508,16 @@
         <translation>Netværket læser det, det skriver; tilføj denne spole i sit eget netværk.</translation>
     </message>
     <message>
-        <source>There is no function block {0}.</source>
-        <translation>Der er ingen funktionsblok {0}.</translation>
+        <source>There is no function block {0}; declare it or check the name.</source>
+        <translation>Der er ingen funktionsblok {0}; erklær den, eller kontroller navnet.</translation>
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
         <translation>Denne ændring kan ikke laves i tegningen; ret teksten.</translation>
     </message>
     <message>
-        <source>This has no operand.</source>
-        <translation>Dette har ingen operand.</translation>
+        <source>This element has no operand; select a contact, a pin or a coil.</source>
+        <translation>Dette element har ingen operand; vælg en kontakt, et ben eller en spole.</translation>
     </message>
     <message>
         <source>This is not a statement: {0}</source>
@@ -1688,7 +1688,7 @@
         <translation>”{0}” passer ikke: kræver {1} px, højst {2} er mulig; gør elementet bredere eller teksten kortere</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
         <translation>”{0}” passer ikke: kræver en højde på {1} px, højst {2} er mulig; gør elementet højere eller teksten kortere</translation>
     </message>
     <message>
@@ -1972,8 +1972,8 @@
         <translation>Projektet har ikke sproget {0}, så operatører ser aldrig denne kolonne; føj det til sprogene i project.json</translation>
     </message>
     <message>
-        <source>Nothing says what this does; give it a text, or place one beside it</source>
-        <translation>Intet fortæller, hvad dette gør; giv det en tekst, eller sæt en ved siden af</translation>
+        <source>No text says what this does; add one, or place one next to it</source>
+        <translation>Ingen tekst fortæller, hvad dette gør; tilføj en, eller sæt en ved siden af</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2012,12 +2012,12 @@
         <translation>Programmet blev ikke oversat fra kildetekster.</translation>
     </message>
     <message>
-        <source>The recording does not contain the program of this scan.</source>
-        <translation>Optagelsen indeholder ikke programmet for dette scan.</translation>
+        <source>The recording does not contain the program of this scan; choose a later scan.</source>
+        <translation>Optagelsen indeholder ikke programmet for dette scan; vælg et senere scan.</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording.</source>
-        <translation>Dette scan er ikke længere i optagelsen.</translation>
+        <source>This scan is no longer in the recording; choose a later scan.</source>
+        <translation>Dette scan er ikke længere i optagelsen; vælg et senere scan.</translation>
     </message>
     <message>
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
@@ -2028,8 +2028,8 @@
         <translation>Brugeren {0} findes ikke; opret brugeren, eller kontroller navnet</translation>
     </message>
     <message>
-        <source>The password cannot be kept: {0}</source>
-        <translation>Adgangskoden kan ikke opbevares: {0}</translation>
+        <source>The password cannot be saved: {0}</source>
+        <translation>Adgangskoden kan ikke gemmes: {0}</translation>
     </message>
     <message>
         <source>A password needs at least {0} characters; choose a longer one</source>
@@ -2048,8 +2048,8 @@
         <translation>Revisionssporet kan ikke læses: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
-        <translation>Rammen {0} har intet panelområde, så intet panel ses i den; tilføj et</translation>
+        <source>The frame {0} has no panel area, so no panel is shown in it; add one</source>
+        <translation>Rammen {0} har intet panelområde, så intet panel vises i den; tilføj et</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
@@ -2108,8 +2108,8 @@
         <translation>Der er ingen regel {0}; mente du {1}?</translation>
     </message>
     <message>
-        <source>The rule stays on until a text says why it is off</source>
-        <translation>Reglen forbliver slået til, indtil en tekst siger, hvorfor den er slået fra</translation>
+        <source>The rule stays on until a reason for switching it off is given</source>
+        <translation>Reglen forbliver slået til, indtil der er angivet en grund til at slå den fra</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2124,20 +2124,20 @@
         <translation>Værdien skal være et objekt med et niveau, afstanden og regler, der er slået fra</translation>
     </message>
     <message>
-        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
-        <translation>Farven {0} ses hele tiden, uanset hvad der sker; brug {1}</translation>
+        <source>The colour {0} is always visible, whatever the state; use {1}</source>
+        <translation>Farven {0} ses altid, uanset tilstanden; brug {1}</translation>
     </message>
     <message>
-        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
-        <translation>{0} er en alarmfarve, men den ses, når alt er normalt; brug {1}</translation>
+        <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
+        <translation>{0} er en alarmfarve, men den ses i normal drift; brug {1}</translation>
     </message>
     <message>
-        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
         <translation>Kun farvetonen adskiller {0} fra {1}; vælg en, der er lysere, eller tilføj en tekst eller blink</translation>
     </message>
     <message>
-        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Intet fortæller, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
+        <source>No text says what the lamp means; give it a label, or place a text next to it</source>
+        <translation>Ingen tekst fortæller, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2152,16 +2152,16 @@
         <translation>Faceplaten er så lille her, at dens mindste skrift er {0} px; på {2} mm kræves {1} px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
         <translation>Faceplaten er så lille her, at en finger kun har {0} px at trykke på; der kræves {1} px</translation>
     </message>
     <message>
-        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px er for lidt til en finger ved siden af naboerne; der kræves {2} px i begge retninger</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2} px i begge retninger</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
-        <translation>Panelet viser {0} ting at læse eller trykke på; ved dets størrelse kan {1} overskues; flyt nogle til et andet panel</translation>
+        <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
+        <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for dets størrelse er {1}; flyt nogle til et andet panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2172,19 +2172,19 @@
         <translation>Intet på panelet {0} fører tilbage; tilføj en knap med aktionen back eller home, eller en navigationslinje</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <source>{0} is in a different place on the panel {1}; put it in the same place on both</source>
         <translation>{0} er et andet sted på panelet {1}; sæt det samme sted på begge</translation>
     </message>
     <message>
-        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Det normale er gråt, så øjet finder det, der ikke er (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun tilstande farve.</translation>
+        <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Normale tilstande er grå, så afvigelser ses (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun tilstande farve.</translation>
     </message>
     <message>
-        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
         <translation>Rød, orange og gul er forbeholdt alarmer. En operatør, der ser dem hele dagen, ser dem ikke længere, når de betyder noget (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
         <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
     </message>
     <message>
@@ -2192,36 +2192,36 @@
         <translation>Et stort bogstav skal ses under en vinkel på mindst 16 bueminutter (ISO 9241-303). Afstanden og størrelsen af en pixel angives i project.json.</translation>
     </message>
     <message>
-        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Et panel, der viser alt, gennemsøges, det læses ikke. Flyt detaljer til et panel på næste niveau (ISA-101).</translation>
+        <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
+        <translation>På et panel, der viser alt, må operatøren lede. Flyt detaljer til et panel på næste niveau (ISA-101).</translation>
     </message>
     <message>
-        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
         <translation>I en unormal situation bør hvert panel højst være tre tryk væk, og der bør være en vej tilbage (ISA-101).</translation>
     </message>
     <message>
-        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
         <translation>Det, der er på flere paneler, findes uden at kigge, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
     </message>
     <message>
-        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
-        <translation>Det ene dækker det andet, så en tekst ikke kan læses, eller et tryk rammer det forkerte.</translation>
+        <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
+        <translation>Et element dækker et andet, så en tekst ikke kan læses, eller der trykkes på det forkerte element.</translation>
     </message>
     <message>
-        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
-        <translation>Det ser ud, som om det viser eller gør noget. Bind det til en variabel, eller fjern det.</translation>
+        <source>The element looks as if it had a function. Bind it to a variable, or remove it.</source>
+        <translation>Elementet ser ud, som om det har en funktion. Bind det til en variabel, eller fjern det.</translation>
     </message>
     <message>
-        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
         <translation>Fingeren smutter og sender 500 i stedet for 50. Grænser afviser det, hvor det tastes.</translation>
     </message>
     <message>
-        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
-        <translation>En alarm, ingen ser, er ingen alarm. Anbring et alarmbanner på rammen eller en alarmliste på et panel (ISA-18.2).</translation>
+        <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>En alarm, som ingen ser, er nytteløs. Anbring et alarmbanner på rammen eller en alarmliste på et panel (ISA-18.2).</translation>
     </message>
     <message>
-        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
-        <translation>En alarm kræver en handling af operatøren. Dens hjælp siger hvilken, og hvad der ellers sker (ISA-18.2).</translation>
+        <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
+        <translation>En alarm kræver en handling af operatøren. Dens hjælp skal angive hvilken, og hvad der ellers sker (ISA-18.2).</translation>
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
@@ -2240,8 +2240,8 @@
         <translation>”memoryForNew” i project.json er et antal bytes fra 0 til {0}</translation>
     </message>
     <message>
-        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
-        <translation>En finger kræver 7 mm i begge retninger mellem naboerne, i handske 9 mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
+        <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
+        <translation>En finger kræver 7 mm i begge retninger, i handske 9 mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2252,15 +2252,15 @@
         <translation>Ethvert tal kan skrives til {0}; angiv ”{1}”</translation>
     </message>
     <message>
-        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
         <translation>Hver tolvte mand kan ikke skelne visse farver, og skarpt lys får dem til at blegne. Vis det samme med en tekst, en form, blink eller i det mindste en anden lysstyrke.</translation>
     </message>
     <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved en utilsigtet berøring. Slå ”Skrivning bekræftes” til, eller indtast et spørgsmål.</translation>
+        <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>En skrivning, der er forbeholdt bestemte roller, eller som project.json angiver som kritisk, må ikke udløses ved en utilsigtet berøring. Slå ”Skrivning bekræftes” til, eller indtast et spørgsmål.</translation>
     </message>
     <message>
-        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
         <translation>Kun {1} må skrive {0}, men der kræves ingen bekræftelse; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
@@ -2700,11 +2700,11 @@
         <translation>Projektet har {0} {0:alarm|alarmer}, men intet panel har en alarmliste eller et alarmbanner; tilføj en</translation>
     </message>
     <message>
-        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
-        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
@@ -2712,7 +2712,7 @@
         <translation>Startpanelet har {0} betjeningselementer, men ingen tekst siger, hvad man skal trykke på, når intet bevæger sig; tilføj en sætning eller en tilstandstekst, der nævner et betjeningselement</translation>
     </message>
     <message>
-        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Det panel, man ser først, skal sige, hvad man skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
     </message>
 </context>
@@ -2739,7 +2739,7 @@
         <translation>Bilvask med recepter</translation>
     </message>
     <message>
-        <source>Room heated by supply air</source>
+        <source>Room heating with supply air</source>
         <translation>Rum opvarmet med indblæsningsluft</translation>
     </message>
     <message>
@@ -2779,11 +2779,11 @@
         <translation>Timetæller med nulstilling og frigivelse</translation>
     </message>
     <message>
-        <source>Items per hour</source>
+        <source>Hourly production</source>
         <translation>Emner pr. time</translation>
     </message>
     <message>
-        <source>Items and meters</source>
+        <source>Item counter and meters</source>
         <translation>Emner og målere</translation>
     </message>
     <message>
@@ -2803,7 +2803,7 @@
         <translation>Mixer til to væsker og to blokke</translation>
     </message>
     <message>
-        <source>Motor with self-holding</source>
+        <source>Motor with latching</source>
         <translation>Motor med selvhold</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Pulsbreddemodulation af en sinus</translation>
     </message>
     <message>
-        <source>Rack with a robot</source>
+        <source>Storage rack with a robot</source>
         <translation>Reol med robot</translation>
     </message>
     <message>
@@ -2831,11 +2831,11 @@
         <translation>Robot og CNC-maskine</translation>
     </message>
     <message>
-        <source>Robot that packs boxes</source>
+        <source>Packing robot with camera inspection</source>
         <translation>Robot, der pakker kasser</translation>
     </message>
     <message>
-        <source>Two level sensors that watch each other</source>
+        <source>Two redundant level sensors</source>
         <translation>To niveausensorer sammenlignes</translation>
     </message>
     <message>
@@ -2843,7 +2843,7 @@
         <translation>Pumpestation med seks pumper</translation>
     </message>
     <message>
-        <source>Motor with selector</source>
+        <source>Motor with selector switch</source>
         <translation>Motor med vælger</translation>
     </message>
     <message>
@@ -2851,11 +2851,11 @@
         <translation>Stak af heltal</translation>
     </message>
     <message>
-        <source>Tank that is filled, heated and emptied</source>
+        <source>Tank with filling, heating and emptying</source>
         <translation>Tank, der fyldes, opvarmes og tømmes</translation>
     </message>
     <message>
-        <source>Tank, operated by hand</source>
+        <source>Manually operated tank</source>
         <translation>Tank med manuel betjening</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@
         <translation>Tre slags ventiler</translation>
     </message>
     <message>
-        <source>Pump in waves</source>
+        <source>Pump control with waves</source>
         <translation>Pumpe i bølger</translation>
     </message>
     <message>
@@ -2891,7 +2891,7 @@
         <translation>Tank over Modbus</translation>
     </message>
     <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <source>A vehicle between two limit switches, controlled by two linked sequential function charts</source>
         <translation>En vogn mellem to endestop, styret af to forbundne SFC-diagrammer</translation>
     </message>
     <message>
@@ -2907,7 +2907,7 @@
         <translation>Fylder, lukker og etiketteringsmaskine med buffere imellem, styret efter PackML</translation>
     </message>
     <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
+        <source>A robot parks cars by number plate and retrieves them again</source>
         <translation>En robot parkerer biler efter nummerplade og henter dem igen</translation>
     </message>
     <message>
@@ -2943,7 +2943,7 @@
         <translation>Tryktabet viser, hvor snavset et filter er; uden for området kommer en alarm</translation>
     </message>
     <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
         <translation>Silo, beholder, transportbånd og lastbil, styret af tre SFC-diagrammer side om side</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@
         <translation>To on/off-reguleringer: et varmelegeme med setpunkt og en ventil, der åbner ved pumpealarm</translation>
     </message>
     <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
         <translation>En timetæller, der indlæses, aktiveres og holdes: en savtand</translation>
     </message>
     <message>
@@ -2963,11 +2963,11 @@
         <translation>Tæller emner, energi og vand; tallene overlever et strømsvigt</translation>
     </message>
     <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
         <translation>En niveausensor på 4 til 20 mA, tre lamper og registrering af ledningsbrud</translation>
     </message>
     <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <source>Three machine signals on three lamps that flash or stay on</source>
         <translation>Tre signaler fra en maskine på tre lamper, der blinker eller lyser</translation>
     </message>
     <message>
@@ -2979,8 +2979,8 @@
         <translation>Væsker vejes, mens et bånd bringer to blokke; derefter blander og tipper mixeren</translation>
     </message>
     <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Start, stop og en kontaktor med selvhold, skrevet på fire ens måder</translation>
+        <source>Start, stop and a latching contactor, written in five ways that agree</source>
+        <translation>Start, stop og en kontaktor med selvhold, skrevet på fem ens måder</translation>
     </message>
     <message>
         <source>The local control box or the panel: one block decides which of them is in control</source>
@@ -2991,23 +2991,23 @@
         <translation>Den samme proces med og uden PID-regulator, side om side i én trace</translation>
     </message>
     <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <source>One filter, two sines: the slow one passes, the fast one is attenuated and delayed</source>
         <translation>Ét filter, to sinussignaler: det langsomme passerer, det hurtige dæmpes og forsinkes</translation>
     </message>
     <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <source>A pump tries its speeds and keeps the one with the least energy per cubic metre</source>
         <translation>En pumpe prøver omdrejningstal og beholder det med mindst energi pr. kubikmeter</translation>
     </message>
     <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <source>Two alternating pumps; a float switch is accepted only after two steady seconds</source>
         <translation>To pumper skiftes; en svømmer tæller først efter to rolige sekunder</translation>
     </message>
     <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <source>A sine becomes pulses for two outputs, as for a motor with two directions</source>
         <translation>En sinus bliver til pulser på to udgange, som til en motor med to retninger</translation>
     </message>
     <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <source>A robot counts encoder pulses to store and retrieve loads in twelve locations</source>
         <translation>En robot tæller encoderpulser for at lægge last på tolv hylder og hente den igen</translation>
     </message>
     <message>
@@ -3019,11 +3019,11 @@
         <translation>En robot lægger tre emner i hver kasse; et kamera kontrollerer resultatet</translation>
     </message>
     <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <source>Two sensors are compared; a faulty one is replaced with the healthy one without a jump</source>
         <translation>To sensorer sammenlignes; en defekt erstattes stødfrit af den raske</translation>
     </message>
     <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
         <translation>Starter og stopper seks pumper efter niveau og driftstimer gennem en bys døgn</translation>
     </message>
     <message>
@@ -3035,11 +3035,11 @@
         <translation>Sidst ind, først ud: push, pop og reset, i ST og som instruktionsliste</translation>
     </message>
     <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <source>The same sequence twice: with CASE and as a sequential function chart; either can be in control</source>
         <translation>Det samme forløb to gange: med CASE og som SFC-diagram; begge kan styre</translation>
     </message>
     <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <source>Fill, empty and stir with three switches; two level switches prevent operating errors</source>
         <translation>Fyld, tøm og rør med tre kontakter; to niveaukontakter forhindrer fejl</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>En strøm på 4 til 20 mA bliver til et niveau, og niveauet til et volumen</translation>
     </message>
     <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <source>Red, yellow and green from one seconds counter, written in three ways</source>
         <translation>Rødt, gult og grønt fra én sekundtæller, skrevet på tre måder</translation>
     </message>
     <message>
@@ -3059,15 +3059,15 @@
         <translation>En motorventil, en ventil med fjederretur og en reguleringsventil, hver med sin blok</translation>
     </message>
     <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <source>A float switch in waves: the pump starts and stops only after five steady seconds</source>
         <translation>En svømmer i bølger: pumpen kobler først efter fem rolige sekunder</translation>
     </message>
     <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <source>Four BCD digits become the net weight once the scale has settled</source>
         <translation>Fire BCD-cifre bliver til nettovægten, når vægten er i ro</translation>
     </message>
     <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <source>Language samples on four pages, each a separate program with a test</source>
         <translation>Sprogeksempler på fire sider, hvert et program for sig med en test</translation>
     </message>
     <message>
@@ -3170,11 +3170,11 @@
         <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende; skriv dets krop i ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
         <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre; kald blokken før, og brug dens udgang</translation>
     </message>
     <message>
@@ -3182,31 +3182,31 @@
         <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst; skriv dens betingelse i teksten</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
+        <source>PLCopen XML does not support panels; they were left out</source>
         <translation>PLCopen XML understøtter ikke paneler; de blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
+        <source>PLCopen XML does not support traces; they were left out</source>
         <translation>PLCopen XML understøtter ikke traces; de blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
+        <source>PLCopen XML does not support tests; they were left out</source>
         <translation>PLCopen XML understøtter ikke tests; de blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <source>PLCopen XML does not support tests; the TEST &apos;{0}&apos; was left out</source>
         <translation>PLCopen XML understøtter ikke tests; TEST ”{0}” blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
         <translation>PLCopen XML understøtter ikke navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
+        <source>PLCopen XML does not support USING; it was left out</source>
         <translation>PLCopen XML understøtter ikke USING; det blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <source>PLCopen XML does not support the name of the transition {0}; it was left out</source>
         <translation>PLCopen XML understøtter ikke navnet på transitionen {0}; det blev udeladt</translation>
     </message>
     <message>
@@ -3238,23 +3238,23 @@
         <translation>Version 0201 har ikke typen {0}; andre værktøjer kender den ikke</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <source>Version 0201 does not support the pragma {0} of a step; it was left out</source>
         <translation>Version 0201 understøtter ikke pragmaet {0} på et trin; det blev udeladt</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <source>Version 0201 does not support {0} of a task; it was left out</source>
         <translation>Version 0201 understøtter ikke {0} for en task; det blev udeladt</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <source>Version 0201 does not support the connections of the program {0}; they were left out</source>
         <translation>Version 0201 understøtter ikke forbindelserne for programmet {0}; de blev udeladt</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <source>Version 0201 does not support libraries; {0} was left out</source>
         <translation>Version 0201 understøtter ikke biblioteker; {0} blev udeladt</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <source>The file is not a program source and was left out; import it separately if it is one</source>
         <translation>Filen er ingen programkilde og blev udeladt; importer den alene, hvis den er en</translation>
     </message>
     <message>
@@ -3262,7 +3262,7 @@
         <translation>Netværket ”{0}” er kommenteret ud i diagrammet og er udeladt af teksten</translation>
     </message>
     <message>
-        <source>Types that {0} has by itself are declared here</source>
+        <source>Types that are predefined in {0} are declared here</source>
         <translation>Typer, som {0} har i sig selv, er erklæret her</translation>
     </message>
     <message>
@@ -3270,19 +3270,19 @@
         <translation>{0} tæller %MW1 i ord; ”addressing” i project.json siger det samme</translation>
     </message>
     <message>
-        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
         <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan angive; flyt den til et multiplum af dens størrelse</translation>
     </message>
     <message>
-        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
         <translation>{0} rækker ud over styringen; den er erklæret her med sine indgange og udgange og gør intet</translation>
     </message>
     <message>
-        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
         <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden {0} foran</translation>
     </message>
     <message>
-        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
         <translation>Stepwise har selv navnene i biblioteket {0}; de skrives uden {0} foran</translation>
     </message>
     <message>
@@ -3294,7 +3294,7 @@
         <translation>Filen er tom; eksporter den igen</translation>
     </message>
     <message>
-        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <source>This is a ZIP archive despite its name; extract it and import the folder</source>
         <translation>Dette er et ZIP-arkiv, uanset hvad det hedder; pak det ud, og importer mappen</translation>
     </message>
     <message>
@@ -3325,15 +3325,15 @@
         <translation>%1 ved %2</translation>
     </message>
     <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Et XY-diagram tegner én kanal over en anden: tilføj en kanal mere til tracen.</translation>
+        <source>An XY plot draws one channel against another: add a second channel to the trace.</source>
+        <translation>Et XY-diagram viser én kanal over en anden: tilføj en kanal mere til tracen.</translation>
     </message>
     <message>
         <source>XY plot</source>
         <translation>XY-diagram</translation>
     </message>
     <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
+        <source>There are no samples in view: run the program or show another section.</source>
         <translation>Der er ingen målepunkter i det viste område: kør programmet, eller vis et andet område.</translation>
     </message>
     <message>
@@ -3389,7 +3389,7 @@
         <translation>%1: %L2 af %L3 frekvenser med en kohærens over 0,8</translation>
     </message>
     <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <source>Runs are overlaid at their triggers: enter a trigger in the properties of the trace.</source>
         <translation>Kørsler lægges oven på hinanden ved deres trigger: angiv en trigger i tracens egenskaber.</translation>
     </message>
     <message>
@@ -3397,7 +3397,7 @@
         <translation>Triggeren er endnu ikke udløst i denne optagelse.</translation>
     </message>
     <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <source>The runs of the visible channels are overlaid: add a channel.</source>
         <translation>Kørsler af de synlige kanaler lægges oven på hinanden: tilføj en kanal.</translation>
     </message>
     <message>
@@ -5168,7 +5168,7 @@
         <translation>sat af {0}  {1} ({2})</translation>
     </message>
     <message>
-        <source>set by what the compiler adds ({0})</source>
+        <source>set by code that the compiler adds ({0})</source>
         <translation>sat af det, som compileren tilføjer ({0})</translation>
     </message>
     <message>
@@ -5216,8 +5216,8 @@
         <translation>sat af en sætning i en test</translation>
     </message>
     <message>
-        <source>not known who set it</source>
-        <translation>ukendt, hvem der satte det</translation>
+        <source>origin not known</source>
+        <translation>oprindelse ukendt</translation>
     </message>
     <message>
         <source>the command line</source>
@@ -5364,7 +5364,7 @@
         <translation>{0}   {1}</translation>
     </message>
     <message>
-        <source>its time of {0} is over</source>
+        <source>its time of {0} has elapsed</source>
         <translation>dens tid på {0} er gået</translation>
     </message>
     <message>
@@ -5416,7 +5416,7 @@
         <translation>der blev skrevet, mens det var standset ved et stoppunkt</translation>
     </message>
     <message>
-        <source>the scan had another result when it was run again</source>
+        <source>the scan had a different result when it was run again</source>
         <translation>scannet gav et andet resultat, da det blev kørt igen</translation>
     </message>
     <message>
@@ -6024,15 +6024,15 @@
         <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
     </message>
     <message>
-        <source>{0} is not forced</source>
-        <translation>{0} er ikke forceret</translation>
+        <source>{0} is not forced; there is nothing to release</source>
+        <translation>{0} er ikke forceret; der er intet at ophæve</translation>
     </message>
     <message>
         <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
         <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
     </message>
     <message>
@@ -6040,12 +6040,12 @@
         <translation>Styringens program har ingen fil {0}; hent dens program igen</translation>
     </message>
     <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>En optagelse hentes allerede; vent, til den er modtaget</translation>
+        <source>A recording is already being downloaded; wait until it is complete</source>
+        <translation>En optagelse hentes allerede; vent, til den er fuldstændig</translation>
     </message>
     <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>En styring, der betjener andre, kan ikke sættes tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
+        <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
+        <translation>En styring, der kører som tjeneste, kan ikke genoptages fra et tidligere scan; hent dens optagelse, og genoptag derfra</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6056,7 +6056,7 @@
         <translation>{0} kan ikke nås: {1}</translation>
     </message>
     <message>
-        <source>{0} refuses the connection: {1}</source>
+        <source>{0} rejects the connection: {1}</source>
         <translation>{0} afviser forbindelsen: {1}</translation>
     </message>
     <message>
@@ -6068,8 +6068,8 @@
         <translation>Der kom for mange forkerte koder fra denne computer; vent et minut</translation>
     </message>
     <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>Koden ville gå ubeskyttet over nettet; brug en https-adresse, og start styringen med --certificate</translation>
+        <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
+        <translation>Koden ville blive sendt ukrypteret over nettet; brug en https-adresse, og start styringen med --certificate</translation>
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
@@ -6130,11 +6130,11 @@
         <translation>forstyrret: ingen model forklarer mere end {0} % af det</translation>
     </message>
     <message>
-        <source>usable; it was still moving before</source>
-        <translation>brugbar; den bevægede sig stadig før</translation>
+        <source>usable; not at rest before it</source>
+        <translation>brugbar; ikke i ro før</translation>
     </message>
     <message>
-        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
         <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang manuelt, og optag det</translation>
     </message>
     <message>
@@ -6142,31 +6142,31 @@
         <translation>Ingen af de {0} fundne ændringer er brugbare: {1}</translation>
     </message>
     <message>
-        <source>No model explains what the output does; something else moves it</source>
+        <source>No model explains the output; something else affects it</source>
         <translation>Ingen model forklarer, hvad udgangen gør; noget andet bevæger den</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process; choose another one</source>
-        <translation>Reglen {0} har intet svar for denne proces; vælg en anden</translation>
+        <source>The rule {0} does not apply to this process; choose another one</source>
+        <translation>Reglen {0} gælder ikke for denne proces; vælg en anden</translation>
     </message>
     <message>
-        <source>Unstable: the loop would swing up. Do not use this.</source>
-        <translation>Ustabil: Sløjfen ville svinge op. Brug den ikke.</translation>
+        <source>Unstable: the oscillation would grow. Do not use these settings.</source>
+        <translation>Ustabil: Svingningen ville vokse. Brug ikke disse indstillinger.</translation>
     </message>
     <message>
-        <source>Fragile: a small change of the process makes it swing.</source>
+        <source>Fragile: a small change of the process makes it oscillate.</source>
         <translation>Skrøbelig: En lille ændring af processen får den til at svinge.</translation>
     </message>
     <message>
-        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
         <translation>Rask: hurtig, og den svinger lidt; processen bør ikke ændre sig meget.</translation>
     </message>
     <message>
-        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <source>Good: fast enough, and tolerant of the usual process changes.</source>
         <translation>God: hurtig nok, og den tåler de sædvanlige ændringer af en proces.</translation>
     </message>
     <message>
-        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <source>Calm: slow, and tolerant of large process changes.</source>
         <translation>Rolig: langsom, og den tåler en proces, der ændrer sig meget.</translation>
     </message>
     <message>
@@ -6178,11 +6178,11 @@
         <translation>Et spring i setpunktet giver {0} % oversving.</translation>
     </message>
     <message>
-        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
-        <translation>Ziegler-Nichols er her til sammenligning: Den svinger og tåler lidt. Tag SIMC eller optimum i stedet.</translation>
+        <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols er her til sammenligning: Den svinger og tåler lidt ændring. Brug SIMC eller optimum i stedet.</translation>
     </message>
     <message>
-        <source>The rule looks at one lag only; check the margins.</source>
+        <source>The rule considers only one lag; check the margins.</source>
         <translation>Reglen ser kun på én tidskonstant; kontroller marginerne.</translation>
     </message>
     <message>
@@ -6330,15 +6330,15 @@
         <translation>Det svinger ikke.</translation>
     </message>
     <message>
-        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
     </message>
     <message>
-        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
         <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
     </message>
     <message>
-        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>Den sandsynlige årsag er udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
     </message>
     <message>
@@ -6350,19 +6350,19 @@
         <translation>{0} % af det, måleværdien gør, er støj.</translation>
     </message>
     <message>
-        <source>the output did not answer: the controller was not in charge</source>
-        <translation>udgangen svarede ikke: regulatoren havde ikke styringen</translation>
+        <source>the output did not respond: the controller was not active</source>
+        <translation>udgangen svarede ikke: regulatoren var ikke aktiv</translation>
     </message>
     <message>
         <source>too short: not at rest again before the next change</source>
         <translation>for kort: ikke i ro igen før den næste ændring</translation>
     </message>
     <message>
-        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
         <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen manuelt én gang, og optag det</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>Ændring {0} er en forstyrrelse: årsagen kendes ikke, så den giver ingen model; vælg en ændring af setpunktet eller udgangen</translation>
     </message>
 </context>
@@ -6393,7 +6393,7 @@
         <translation>Tabellen har ingen kolonne med tal ud over tiden; tilføj en med overskrift</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
+        <source>The table has no rows below its headings; write one row per sample</source>
         <translation>Tabellen har ingen rækker under overskrifterne; skriv én række pr. måling</translation>
     </message>
     <message>
@@ -6405,20 +6405,20 @@
         <translation>navnene på dens kolonner kan ikke være variabler; brug bogstaver, cifre og understreger</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer section</source>
         <translation>{0} {0:målepunkt|målepunkter} er for lidt til et spektrum; vis et længere område</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer section</source>
         <translation>{0} {0:målepunkt|målepunkter} er for lidt til en frekvensrespons; vis et længere område</translation>
     </message>
     <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>Indgangen ændrer sig ikke her; der er intet at reagere på</translation>
+        <source>The input does not change here, so there is no response; show another section</source>
+        <translation>Indgangen ændrer sig ikke her, så der er intet svar; vis et andet afsnit</translation>
     </message>
     <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} kræver en afsluttende parentes til sidst; den omslutter hele udtrykket</translation>
+        <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
+        <translation>{0} kræver en afsluttende parentes til sidst; den skal omslutte hele udtrykket</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -6519,7 +6519,7 @@
         <translation>Forbundet med %1; dens program er ikke det, der er åbent her</translation>
     </message>
     <message>
-        <source>%1 is lost – connecting again…</source>
+        <source>Connection to %1 lost – reconnecting…</source>
         <translation>Forbindelsen til %1 er afbrudt – forbinder igen…</translation>
     </message>
     <message>
@@ -6527,8 +6527,8 @@
         <translation>Forbinder med %1…</translation>
     </message>
     <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>Styringen kører dér; det, der skrives og forceres her, virker dér</translation>
+        <source>The controller runs remotely; values written and forced here take effect there</source>
+        <translation>Styringen kører eksternt; værdier, der skrives og forceres her, virker dér</translation>
     </message>
 </context>
 <context>
@@ -6558,7 +6558,7 @@
         <translation>Det samme som instruktionsliste</translation>
     </message>
     <message>
-        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <source>Both give the same results. Replacing can be undone in one step; comments are kept, each above its statement.</source>
         <translation>Begge giver samme resultater. Erstatningen kan fortrydes i ét trin; kommentarer bevares, hver over sin sætning.</translation>
     </message>
     <message>
@@ -6760,7 +6760,7 @@
         <translation>Skrivebeskyttet fil</translation>
     </message>
     <message>
-        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <source>%1 is read-only. Replace it anyway? It stays read-only.</source>
         <translation>%1 er skrivebeskyttet. Skal den alligevel erstattes? Den forbliver skrivebeskyttet.</translation>
     </message>
     <message>
@@ -6965,7 +6965,7 @@ Ikke bevaret: %3</translation>
         <translation>Læser %1…</translation>
     </message>
     <message>
-        <source>Becomes a project of its own, with the libraries it uses</source>
+        <source>Becomes a separate project with the libraries it uses</source>
         <translation>Bliver sit eget projekt med de biblioteker, det bruger</translation>
     </message>
     <message>
@@ -6976,11 +6976,11 @@ Ikke bevaret: %3</translation>
 <context>
     <name>plc::app::InsideViews</name>
     <message>
-        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <source>Coverage of the latest %1 of %2 recorded scans</source>
         <translation>Dækning af de nyeste %1 af %2 optagede scan</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Der er endnu ingen optagelse: Kør først programmet.</translation>
     </message>
     <message>
@@ -7006,7 +7006,7 @@ Ikke bevaret: %3</translation>
         <translation>Vist panel</translation>
     </message>
     <message>
-        <source>Full screen (Esc ends it)</source>
+        <source>Full screen (Esc to exit)</source>
         <translation>Fuld skærm (Esc afslutter)</translation>
     </message>
     <message>
@@ -7191,8 +7191,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gendannelse</translation>
     </message>
     <message>
-        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Studiet blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
+        <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
+        <translation>Stepwise blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -7302,8 +7302,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Programmet</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldfører.</translation>
+        <source>Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Struktureret tekst med semantisk fremhævning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldfører.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -7322,8 +7322,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tracen</translation>
     </message>
     <message>
-        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>Intet skulle vælges på forhånd: hvert scan er optaget, og ethvert udtryk kan bagefter blive til et diagram.</translation>
+        <source>Nothing has to be selected in advance: every scan is recorded, and any expression can be charted afterwards.</source>
+        <translation>Intet skal vælges på forhånd: hvert scan optages, og ethvert udtryk kan bagefter vises i et diagram.</translation>
     </message>
     <message>
         <source>The panel</source>
@@ -7343,7 +7343,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
-        <translation>Ctrl+Shift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
+        <translation>Ctrl+Skift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -7658,7 +7658,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Åbn en optagelse…</translation>
     </message>
     <message>
-        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <source>All values are from a recording file. Click to go back to the controller.</source>
         <translation>Alle værdier er fra en optagelse i en fil. Et klik fører tilbage til styringen.</translation>
     </message>
     <message>
@@ -7773,8 +7773,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Annulleret: intet blev gemt</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 er skrevet i %2 og gemmes, som den blev fundet</translation>
+        <source>%1 is encoded in %2 and will be saved in that encoding</source>
+        <translation>%1 er kodet i %2 og gemmes i den kodning</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -7813,7 +7813,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>Speed of the controller; any factor can be typed:</source>
+        <source>Speed of the controller; any factor can be entered:</source>
         <translation>Styringens hastighed; enhver faktor kan skrives:</translation>
     </message>
     <message>
@@ -7833,7 +7833,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet blev eksporteret</translation>
     </message>
     <message>
-        <source>Select the Next Occurrence Too</source>
+        <source>Add Next Occurrence to Selection</source>
         <translation>Vælg også næste forekomst</translation>
     </message>
     <message>
@@ -7889,8 +7889,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Åbn en anden fil ved siden af</translation>
     </message>
     <message>
-        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>%1 Intet kan gå i stykker: Anlægget er kun tal. Tryk på Næste for at se dig om i et minut, eller på F5 for at køre det med det samme.</translation>
+        <source>%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to run it straight away.</source>
+        <translation>%1 Intet kan gå i stykker: Anlægget er kun en simulering. Tryk på Næste for at se dig om i et minut, eller på F5 for at køre det med det samme.</translation>
     </message>
     <message>
         <source>This is the project %1.</source>
@@ -7901,7 +7901,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Hvad du skal trykke på</translation>
     </message>
     <message>
-        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <source>The page next to the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
         <translation>Siden ved siden af programmet er projektets README: hvad det viser, hvad du skal trykke på, og hvad du skal overvåge.</translation>
     </message>
     <message>
@@ -8761,8 +8761,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gendan standarder</translation>
     </message>
     <message>
-        <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 hører nu til ”%2”; ”%3” mister den.</translation>
+        <source>%1 is now assigned to “%2” instead of “%3”.</source>
+        <translation>%1 er nu tildelt ”%2” i stedet for ”%3”.</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -8962,8 +8962,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Hvad nu hvis?</translation>
     </message>
     <message>
-        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
-        <translation>Styringen går tilbage til det scan, der vises, og kører videre derfra med disse værdier. Tracen tegner det, der skete før, nedenunder.</translation>
+        <source>The controller goes back to the scan shown and continues from there with these values. The trace draws what really happened behind the new curves.</source>
+        <translation>Styringen går tilbage til det scan, der vises, og kører videre derfra med disse værdier. Tracen tegner det, der faktisk skete, bagved.</translation>
     </message>
     <message>
         <source>A variable, such as Main.level</source>
@@ -8990,7 +8990,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Værdier, der ændres</translation>
     </message>
     <message>
-        <source>Run From Here</source>
+        <source>Run from Here</source>
         <translation>Kør herfra</translation>
     </message>
     <message>
@@ -8998,7 +8998,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>%1 har ingen værdi i dette scan; vælg en anden variabel</translation>
     </message>
     <message>
-        <source>Give at least one variable another value</source>
+        <source>Enter a different value for at least one variable</source>
         <translation>Giv mindst én variabel en anden værdi</translation>
     </message>
 </context>
@@ -9033,7 +9033,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Fjern alle</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <source>The running program has no code at or below this line; choose a line with a statement</source>
         <translation>Programmet, der kører, har ingen kode i denne linje eller under den; vælg en linje med en sætning</translation>
     </message>
 </context>
@@ -9107,7 +9107,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Programenheden %1 er ikke længere i teksten; fortryd ændringen, eller luk denne visning</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Ryd</translation>
     </message>
     <message>
-        <source>Copy the selected rows, else all</source>
+        <source>Copy the selected rows, or all rows</source>
         <translation>Kopier de valgte rækker, ellers alle</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Kopier</translation>
     </message>
     <message>
-        <source>Only faults and refusals</source>
+        <source>Only faults and rejections</source>
         <translation>Kun fejl og afvisninger</translation>
     </message>
     <message>
@@ -9442,7 +9442,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Previous (Shift+Enter)</source>
-        <translation>Forrige (Shift+Enter)</translation>
+        <translation>Forrige (Skift+Enter)</translation>
     </message>
     <message>
         <source>Next (Enter)</source>
@@ -9533,7 +9533,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Udskriv…</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
     </message>
 </context>
@@ -9592,11 +9592,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>%1 er ikke længere i teksten; fortryd ændringen, eller luk denne visning</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
@@ -9812,8 +9812,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Omdøb variablen overalt</translation>
     </message>
     <message>
-        <source>Go to the declaration</source>
-        <translation>Gå til erklæringen</translation>
+        <source>Go to the definition</source>
+        <translation>Gå til definitionen</translation>
     </message>
     <message>
         <source>References to the variable</source>
@@ -9897,7 +9897,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Ændringen venter på scannets afslutning</translation>
     </message>
     <message>
-        <source>The program has errors; the controller goes on with the old one</source>
+        <source>The program has errors; the controller continues with the old program</source>
         <translation>Programmet har fejl; styringen fortsætter med det gamle</translation>
     </message>
     <message>
@@ -9909,7 +9909,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Oversætter</translation>
     </message>
     <message>
-        <source>Not optimised: the quick code goes on</source>
+        <source>Not optimised: the quick code keeps running</source>
         <translation>Ikke optimeret: den hurtigt oversatte kode fortsætter</translation>
     </message>
     <message>
@@ -9928,7 +9928,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::editor::SlowScanView</name>
     <message>
-        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <source>Back to the previous breakpoint or to the first statement of the scan</source>
         <translation>Tilbage til det forrige stoppunkt eller til scannets første sætning</translation>
     </message>
     <message>
@@ -9956,7 +9956,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Trin ud</translation>
     </message>
     <message>
-        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <source>Forward to the next breakpoint or to the end of the scan</source>
         <translation>Videre til det næste stoppunkt eller til scannets slutning</translation>
     </message>
     <message>
@@ -9964,8 +9964,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Afslut gennemgangen</translation>
     </message>
     <message>
-        <source>Where the walk stands</source>
-        <translation>Hvor gennemgangen er</translation>
+        <source>Current position of the walk</source>
+        <translation>Gennemgangens aktuelle position</translation>
     </message>
     <message>
         <source>Call</source>
@@ -10176,8 +10176,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Reaktion på en forstyrrelse</translation>
     </message>
     <message>
-        <source>Trial with the block itself</source>
-        <translation>Prøve med selve blokken</translation>
+        <source>Simulation with the actual block</source>
+        <translation>Simulering med den rigtige blok</translation>
     </message>
     <message>
         <source>Control loop</source>
@@ -10188,7 +10188,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Find spring</translation>
     </message>
     <message>
-        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <source>Searches the recording for steps of the set point and of the output and fits a model of the process.</source>
         <translation>Leder efter spring i setpunktet og udgangen i optagelsen og laver en model af processen.</translation>
     </message>
     <message>
@@ -10331,8 +10331,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vælg mindst ét spring.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process; choose another rule.</source>
-        <translation>Reglen har intet svar for denne proces; vælg en anden regel.</translation>
+        <source>The rule does not apply to this process; choose another rule.</source>
+        <translation>Reglen gælder ikke for denne proces; vælg en anden regel.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10439,11 +10439,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Taget tilbage: %1</translation>
     </message>
     <message>
-        <source>What the model leaves</source>
-        <translation>Hvad modellen ikke forklarer</translation>
+        <source>Residuals of the model</source>
+        <translation>Modellens residualer</translation>
     </message>
     <message>
-        <source>recorded less model</source>
+        <source>recorded minus model</source>
         <translation>optaget minus model</translation>
     </message>
     <message>
@@ -10503,7 +10503,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Svar</translation>
     </message>
     <message>
-        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <source>Start the controller or open a recording to search it for steps.</source>
         <translation>Start styringen, eller åbn en optagelse; der ledes efter spring i den.</translation>
     </message>
     <message>
@@ -10671,23 +10671,23 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>En variabel eller et udtryk, for eksempel Main.level &gt; 80</translation>
     </message>
     <message>
-        <source>What is asked about</source>
-        <translation>Hvad der spørges om</translation>
+        <source>Variable or expression to explain</source>
+        <translation>Variabel eller udtryk, der skal forklares</translation>
     </message>
     <message>
         <source>Why?</source>
         <translation>Hvorfor?</translation>
     </message>
     <message>
-        <source>What changed it, and what that needed</source>
-        <translation>Hvad der ændrede det, og hvad det krævede</translation>
+        <source>What changed it, and what had to hold</source>
+        <translation>Hvad der ændrede det, og hvad der skulle gælde</translation>
     </message>
     <message>
         <source>Why Not?</source>
         <translation>Hvorfor ikke?</translation>
     </message>
     <message>
-        <source>The smallest changes that would make the condition come out otherwise</source>
+        <source>The smallest changes that would change the result of the condition</source>
         <translation>De mindste ændringer, der ville give betingelsen et andet resultat</translation>
     </message>
     <message>
@@ -10711,11 +10711,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Højreklik på en variabel i teksten, overvågningen, træet, tracen eller et panel, og spørg, hvorfor den har sin værdi.</translation>
     </message>
     <message>
-        <source>Looking into the recorded scans…</source>
+        <source>Searching the recorded scans…</source>
         <translation>Undersøger de optagede scan…</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Der er endnu ingen optagelse: Kør først programmet.</translation>
     </message>
     <message>
@@ -10744,8 +10744,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Annuller</translation>
     </message>
     <message>
-        <source>Do not wait for the answer (Esc)</source>
-        <translation>Vent ikke på svaret (Esc)</translation>
+        <source>Cancel (Esc)</source>
+        <translation>Annuller (Esc)</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>
@@ -12195,7 +12195,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
-        <translation>To markører (Ctrl+klik sætter A, Shift+klik sætter B)</translation>
+        <translation>To markører (Ctrl+klik sætter A, Skift+klik sætter B)</translation>
     </message>
     <message>
         <source>Measure</source>

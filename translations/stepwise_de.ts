@@ -72,12 +72,12 @@
         <translation>{0} ist keine serielle Schnittstelle; schreiben Sie ihren Pfad, zum Beispiel /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} und {1} verwenden beide den Port {2}; geben Sie einem einen anderen Port</translation>
+        <source>{0} and {1} both listen on port {2}; change one of the ports</source>
+        <translation>{0} und {1} verwenden beide den Port {2}; ändern Sie einen der Ports</translation>
     </message>
     <message>
-        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
-        <translation>Ports unter 1024 brauchen besondere Rechte; ein Port wie 1502 nicht</translation>
+        <source>Ports below 1024 require special privileges; use a port such as 1502</source>
+        <translation>Ports unter 1024 erfordern besondere Rechte; verwenden Sie einen Port wie 1502</translation>
     </message>
     <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
@@ -120,7 +120,7 @@
         <translation>Nur ein MQTT-Kanal kann vom Typ STRING sein; verwenden Sie eine Zahl oder BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <source>&quot;scale&quot; must not be 0; omit it for 1</source>
         <translation>„scale“ darf nicht 0 sein; lassen Sie es für 1 weg</translation>
     </message>
     <message>
@@ -132,7 +132,7 @@
         <translation>{0}: {1}</translation>
     </message>
     <message>
-        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <source>{0} has no variable yet; enter one, or have the addresses proposed (stepwise devices PROJECT --propose)</source>
         <translation>{0} hat noch keine Variable; geben Sie eine an oder lassen Sie Adressen vorschlagen (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
@@ -156,11 +156,11 @@
         <translation>{0} ist eine Konstante und kann nicht geschrieben werden; wählen Sie eine Variable</translation>
     </message>
     <message>
-        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <source>{0} reports the quality of the channel and must be a BOOL or an integer</source>
         <translation>{0} zeigt an, ob der Kanal gültig ist, und muss BOOL oder eine Ganzzahl sein</translation>
     </message>
     <message>
-        <source>{0} says whether the device answers and must be a BOOL</source>
+        <source>{0} reports whether the device responds and must be a BOOL</source>
         <translation>{0} zeigt an, ob das Gerät antwortet, und muss BOOL sein</translation>
     </message>
     <message>
@@ -168,15 +168,15 @@
         <translation>„onLoss“: „safe“ braucht den Wert in „safe“</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the password in its first line</source>
-        <translation>{0} kann nicht gelesen werden; die erste Zeile enthält das Passwort</translation>
+        <source>{0} cannot be read; its first line must be the password</source>
+        <translation>{0} kann nicht gelesen werden; die erste Zeile muss das Passwort sein</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
-        <translation>{0} kann nicht gelesen werden; die Datei enthält die Zertifikate der Zertifizierungsstelle (PEM)</translation>
+        <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
+        <translation>{0} kann nicht gelesen werden; die Datei muss die Zertifikate der Zertifizierungsstelle enthalten (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <source>no response within {0} ms; check the cable, the address and the unit number</source>
         <translation>keine Antwort innerhalb von {0} ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
     </message>
     <message>
@@ -184,11 +184,11 @@
         <translation>die Verbindung endete: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <source>the response does not match the request; check baud rate, parity and unit number</source>
         <translation>die Antwort passt nicht zur Anfrage; prüfen Sie Baudrate, Parität und Gerätenummer</translation>
     </message>
     <message>
-        <source>the device refuses {0} {1}: {2}</source>
+        <source>the device rejects {0} {1}: {2}</source>
         <translation>das Gerät lehnt {0} {1} ab: {2}</translation>
     </message>
     <message>
@@ -200,23 +200,23 @@
         <translation>es hat keine solche Adresse; prüfen Sie die Adresse in seinem Handbuch</translation>
     </message>
     <message>
-        <source>it does not take the value; check the range in its manual</source>
+        <source>it does not accept the value; check the range in its manual</source>
         <translation>es nimmt den Wert nicht an; prüfen Sie den Bereich in seinem Handbuch</translation>
     </message>
     <message>
-        <source>it failed; look at the device</source>
-        <translation>es ist gestört; sehen Sie am Gerät nach</translation>
+        <source>it reports a failure; check the device</source>
+        <translation>es meldet eine Störung; prüfen Sie das Gerät</translation>
     </message>
     <message>
-        <source>it is busy; it is asked again</source>
-        <translation>es ist beschäftigt; es wird erneut abgefragt</translation>
+        <source>it is busy; the request will be repeated</source>
+        <translation>es ist beschäftigt; die Anfrage wird wiederholt</translation>
     </message>
     <message>
-        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
-        <translation>das Gateway erreicht es nicht; prüfen Sie die Gerätenummer und das Kabel dahinter</translation>
+        <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
+        <translation>das Gateway erreicht es nicht; prüfen Sie die Gerätenummer und das Kabel hinter dem Gateway</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <source>cannot listen on {0}: {1}; choose another address or port</source>
         <translation>kann an {0} nicht auf Verbindungen warten: {1}; wählen Sie eine andere Adresse oder einen anderen Port</translation>
     </message>
     <message>
@@ -228,11 +228,11 @@
         <translation>{0}: ein Wert passt nicht in die Variable; verwenden Sie einen größeren Typ oder eine Skalierung</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms; check the client and its address</source>
+        <source>no client has written for {0} ms; check the client and its address</source>
         <translation>seit {0} ms hat kein Client geschrieben; prüfen Sie den Client und seine Adresse</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <source>the broker rejects the connection: {0}; check the user and the password</source>
         <translation>der Broker lehnt die Verbindung ab: {0}; prüfen Sie Benutzer und Passwort</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>Die Geräte hatten Fehler, als das Programm der Steuerung übersetzt wurde; berichtigen Sie sie und übersetzen Sie erneut</translation>
     </message>
     <message>
-        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <source>Set the speed to real time first; devices cannot follow any other speed</source>
         <translation>Stellen Sie die Geschwindigkeit zuerst auf Echtzeit; mit einer anderen können Geräte nicht mithalten</translation>
     </message>
     <message>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
-        <translation>{0} und {1} verwenden {2} mit verschiedenen Baudraten, Paritäten oder Bits; stellen Sie für beide dasselbe ein</translation>
+        <translation>{0} und {1} verwenden {2} mit unterschiedlichen Baudraten, Paritäten oder Bits; stellen Sie für beide dasselbe ein</translation>
     </message>
     <message>
         <source>{0} and {1} both set {2} {3}; give each its own</source>
@@ -340,7 +340,7 @@
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Eine offene Grenze wird ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
+        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
     </message>
     <message>
         <source>{0} is missing; the program unit ends here</source>
@@ -1060,8 +1060,8 @@
         <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
     </message>
     <message>
-        <source>the variable is not forced</source>
-        <translation>die Variable ist nicht geforct</translation>
+        <source>the variable is not forced; there is nothing to release</source>
+        <translation>die Variable ist nicht geforct; es gibt kein Forcen aufzuheben</translation>
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
@@ -1400,16 +1400,16 @@
         <translation>ASSERT nicht erfüllt: {0} ({1})</translation>
     </message>
     <message>
-        <source>A coil writes a variable.</source>
-        <translation>Eine Spule schreibt eine Variable.</translation>
+        <source>A coil writes a variable; enter the name of one.</source>
+        <translation>Eine Spule schreibt eine Variable; geben Sie deren Namen ein.</translation>
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
         <translation>Ein Anschluss hat keine Kontakte; geben Sie einen Ausdruck ein.</translation>
     </message>
     <message>
-        <source>A rung cannot move into itself.</source>
-        <translation>Ein Netzwerk kann nicht in sich selbst verschoben werden.</translation>
+        <source>A rung cannot be moved into itself; choose a place outside it.</source>
+        <translation>Ein Netzwerk kann nicht in sich selbst verschoben werden; wählen Sie eine Stelle außerhalb.</translation>
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
@@ -1480,16 +1480,16 @@
         <translation>Das Netzwerk liest, was es schreibt; fügen Sie diese Spule in einem eigenen Netzwerk hinzu.</translation>
     </message>
     <message>
-        <source>There is no function block {0}.</source>
-        <translation>Es gibt keinen Funktionsbaustein {0}.</translation>
+        <source>There is no function block {0}; declare it or check the name.</source>
+        <translation>Es gibt keinen Funktionsbaustein {0}; deklarieren Sie ihn oder prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
         <translation>Diese Änderung ist in der Zeichnung nicht möglich; ändern Sie den Text.</translation>
     </message>
     <message>
-        <source>This has no operand.</source>
-        <translation>Das hat keinen Operanden.</translation>
+        <source>This element has no operand; select a contact, a pin or a coil.</source>
+        <translation>Dieses Element hat keinen Operanden; wählen Sie einen Kontakt, einen Anschluss oder eine Spule.</translation>
     </message>
     <message>
         <source>This is not a statement: {0}</source>
@@ -1688,7 +1688,7 @@
         <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}; machen Sie das Element breiter oder den Text kürzer</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
         <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}; machen Sie das Element höher oder den Text kürzer</translation>
     </message>
     <message>
@@ -1972,8 +1972,8 @@
         <translation>Das Projekt hat die Sprache {0} nicht, Bediener sehen diese Spalte also nie; fügen Sie sie in project.json zu den Sprachen hinzu</translation>
     </message>
     <message>
-        <source>Nothing says what this does; give it a text, or place one beside it</source>
-        <translation>Es ist nicht erkennbar, was das bewirkt; geben Sie ihm einen Text oder setzen Sie einen daneben</translation>
+        <source>No text says what this does; add one, or place one next to it</source>
+        <translation>Kein Text sagt, was das bewirkt; fügen Sie einen hinzu oder setzen Sie einen daneben</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2012,12 +2012,12 @@
         <translation>Das Programm wurde nicht aus Quelltexten übersetzt.</translation>
     </message>
     <message>
-        <source>The recording does not contain the program of this scan.</source>
-        <translation>Die Aufzeichnung enthält das Programm dieses Zyklus nicht.</translation>
+        <source>The recording does not contain the program of this scan; choose a later scan.</source>
+        <translation>Die Aufzeichnung enthält das Programm dieses Zyklus nicht; wählen Sie einen späteren Zyklus.</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording.</source>
-        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung.</translation>
+        <source>This scan is no longer in the recording; choose a later scan.</source>
+        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung; wählen Sie einen späteren Zyklus.</translation>
     </message>
     <message>
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
@@ -2028,8 +2028,8 @@
         <translation>Den Benutzer {0} gibt es nicht; legen Sie ihn an oder prüfen Sie den Namen</translation>
     </message>
     <message>
-        <source>The password cannot be kept: {0}</source>
-        <translation>Das Passwort kann nicht abgelegt werden: {0}</translation>
+        <source>The password cannot be saved: {0}</source>
+        <translation>Das Passwort kann nicht gespeichert werden: {0}</translation>
     </message>
     <message>
         <source>A password needs at least {0} characters; choose a longer one</source>
@@ -2048,8 +2048,8 @@
         <translation>Das Audit-Protokoll kann nicht gelesen werden: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
-        <translation>Der Rahmen {0} hat keinen Panelbereich, darin ist also kein Panel zu sehen; fügen Sie einen hinzu</translation>
+        <source>The frame {0} has no panel area, so no panel is shown in it; add one</source>
+        <translation>Der Rahmen {0} hat keinen Panelbereich, darin wird also kein Panel angezeigt; fügen Sie einen hinzu</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
@@ -2108,8 +2108,8 @@
         <translation>Es gibt keine Regel {0}; war {1} gemeint?</translation>
     </message>
     <message>
-        <source>The rule stays on until a text says why it is off</source>
-        <translation>Die Regel bleibt an, bis ein Text sagt, warum sie aus ist</translation>
+        <source>The rule stays on until a reason for switching it off is given</source>
+        <translation>Die Regel bleibt eingeschaltet, bis ein Grund für das Abschalten angegeben ist</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2124,20 +2124,20 @@
         <translation>Der Wert muss ein Objekt mit Stufe, Abstand und ausgeschalteten Regeln sein</translation>
     </message>
     <message>
-        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
-        <translation>Die Farbe {0} ist immer zu sehen, was auch geschieht; verwenden Sie {1}</translation>
+        <source>The colour {0} is always visible, whatever the state; use {1}</source>
+        <translation>Die Farbe {0} ist in jedem Zustand sichtbar; verwenden Sie {1}</translation>
     </message>
     <message>
-        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
-        <translation>{0} ist eine Alarmfarbe, ist aber zu sehen, wenn alles normal ist; verwenden Sie {1}</translation>
+        <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
+        <translation>{0} ist eine Alarmfarbe, aber im Normalbetrieb sichtbar; verwenden Sie {1}</translation>
     </message>
     <message>
-        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
         <translation>Nur der Farbton unterscheidet {0} von {1}; wählen Sie eine hellere Farbe oder ergänzen Sie einen Text oder Blinken</translation>
     </message>
     <message>
-        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Es ist nicht erkennbar, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder stellen Sie einen Text daneben</translation>
+        <source>No text says what the lamp means; give it a label, or place a text next to it</source>
+        <translation>Kein Text sagt, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder setzen Sie einen Text daneben</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2152,16 +2152,16 @@
         <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0} px hat; aus {2} mm sind {1} px nötig</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass ein Finger nur {0} px zum Drücken findet; nötig sind {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
+        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0} px bleiben; nötig sind {1} px</translation>
     </message>
     <message>
-        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sind neben den Nachbarn zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
-        <translation>Auf dem Panel werden {0} Dinge zum Lesen oder Drücken angezeigt; bei seiner Größe lassen sich {1} überblicken; verschieben Sie einige auf ein anderes Panel</translation>
+        <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
+        <translation>Auf dem Panel werden {0} Werte und Bedienelemente angezeigt; das Maximum für seine Größe ist {1}; verschieben Sie einige auf ein anderes Panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2172,19 +2172,19 @@
         <translation>Nichts auf dem Panel {0} führt zurück; fügen Sie eine Schaltfläche mit der Aktion back oder home oder eine Navigationsleiste hinzu</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <source>{0} is in a different place on the panel {1}; put it in the same place on both</source>
         <translation>{0} ist auf dem Panel {1} an einer anderen Stelle; setzen Sie es auf beiden an dieselbe Stelle</translation>
     </message>
     <message>
-        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Was normal ist, ist grau, damit das Auge findet, was es nicht ist (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und geben Sie nur Zuständen Farbe.</translation>
+        <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Normale Zustände sind grau, damit Abweichungen auffallen (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und geben Sie nur Zuständen Farbe.</translation>
     </message>
     <message>
-        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
         <translation>Rot, Orange und Gelb sind Alarmen vorbehalten. Wer sie den ganzen Tag sieht, sieht sie nicht mehr, wenn es darauf ankommt (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
         <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
     </message>
     <message>
@@ -2192,36 +2192,36 @@
         <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Abstand und Größe eines Pixels stehen in project.json.</translation>
     </message>
     <message>
-        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Ein Panel, das alles anzeigt, wird abgesucht, nicht gelesen. Verschieben Sie Einzelheiten auf ein Panel der nächsten Ebene (ISA-101).</translation>
+        <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
+        <translation>Auf einem Panel, das alles anzeigt, muss der Bediener suchen. Verschieben Sie Einzelheiten auf ein Panel der nächsten Ebene (ISA-101).</translation>
     </message>
     <message>
-        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
         <translation>Im Störfall sollte jedes Panel höchstens drei Berührungen entfernt sein, und es sollte einen Weg zurück geben (ISA-101).</translation>
     </message>
     <message>
-        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
         <translation>Was auf mehreren Panels vorkommt, findet man ohne hinzusehen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
     </message>
     <message>
-        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
-        <translation>Eines verdeckt das andere, sodass ein Text nicht lesbar ist oder ein Druck das falsche trifft.</translation>
+        <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
+        <translation>Ein Element verdeckt das andere, sodass ein Text nicht lesbar ist oder das falsche Element gedrückt wird.</translation>
     </message>
     <message>
-        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
-        <translation>Es sieht aus, als zeigte oder täte es etwas. Verknüpfen Sie es mit einer Variablen oder entfernen Sie es.</translation>
+        <source>The element looks as if it had a function. Bind it to a variable, or remove it.</source>
+        <translation>Das Element sieht aus, als hätte es eine Funktion. Verknüpfen Sie es mit einer Variablen oder entfernen Sie es.</translation>
     </message>
     <message>
-        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
-        <translation>Ein Ausrutscher sendet 500 statt 50. Grenzen weisen das bei der Eingabe ab.</translation>
+        <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
+        <translation>Ein Tippfehler sendet 500 statt 50. Grenzwerte weisen ihn bei der Eingabe ab.</translation>
     </message>
     <message>
-        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
-        <translation>Ein Alarm, den niemand sieht, ist keiner. Setzen Sie ein Alarmbanner auf den Rahmen oder eine Alarmliste auf ein Panel (ISA-18.2).</translation>
+        <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>Ein Alarm, den niemand sieht, ist nutzlos. Setzen Sie ein Alarmbanner auf den Rahmen oder eine Alarmliste auf ein Panel (ISA-18.2).</translation>
     </message>
     <message>
-        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
-        <translation>Ein Alarm verlangt eine Handlung des Bedieners. Seine Hilfe sagt, welche, und was sonst geschieht (ISA-18.2).</translation>
+        <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
+        <translation>Ein Alarm verlangt eine Handlung des Bedieners. Seine Hilfe muss angeben, welche, und was sonst geschieht (ISA-18.2).</translation>
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
@@ -2240,8 +2240,8 @@
         <translation>„memoryForNew“ in project.json ist eine Anzahl Bytes von 0 bis {0}</translation>
     </message>
     <message>
-        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
-        <translation>Ein Finger braucht zwischen den Nachbarn 7 mm in beiden Richtungen, im Handschuh 9 mm, die die strenge Stufe verlangt. Die Größe eines Pixels steht in project.json.</translation>
+        <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
+        <translation>Ein Finger braucht 7 mm in beiden Richtungen, im Handschuh 9 mm, wie es die strenge Stufe verlangt. Die Größe eines Pixels wird in project.json angegeben.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2252,15 +2252,15 @@
         <translation>In {0} kann jede Zahl geschrieben werden; legen Sie „{1}“ fest</translation>
     </message>
     <message>
-        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
         <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Lassen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit anzeigen.</translation>
     </message>
     <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine versehentliche Berührung geschehen. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
+        <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Ein Schreiben, das bestimmten Rollen vorbehalten oder in project.json als kritisch aufgeführt ist, darf nicht durch versehentliches Berühren ausgelöst werden. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
     </message>
     <message>
-        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
         <translation>Nur {1} darf {0} schreiben, aber es wird keine Bestätigung verlangt; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
@@ -2700,11 +2700,11 @@
         <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder ein Alarmbanner; fügen Sie eines hinzu</translation>
     </message>
     <message>
-        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
-        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
@@ -2712,7 +2712,7 @@
         <translation>Das Startpanel hat {0} Bedienelemente, aber kein Text sagt, was zu drücken ist, wenn sich nichts bewegt; fügen Sie einen Satz hinzu oder einen Zustandstext, der ein Bedienelement nennt</translation>
     </message>
     <message>
-        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Panel, das man zuerst sieht, muss sagen, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
     </message>
 </context>
@@ -2739,7 +2739,7 @@
         <translation>Autowaschanlage mit Rezepturen</translation>
     </message>
     <message>
-        <source>Room heated by supply air</source>
+        <source>Room heating with supply air</source>
         <translation>Raumheizung über Zuluft</translation>
     </message>
     <message>
@@ -2748,7 +2748,7 @@
     </message>
     <message>
         <source>Conveyor with a sequence</source>
-        <translation>Förderband mit Ablauf</translation>
+        <translation>Förderband mit Schrittkette</translation>
     </message>
     <message>
         <source>Depalletiser</source>
@@ -2776,14 +2776,14 @@
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>Betriebsstundenzähler</translation>
+        <translation>Betriebsstundenzähler mit Rücksetzen und Freigabe</translation>
     </message>
     <message>
-        <source>Items per hour</source>
+        <source>Hourly production</source>
         <translation>Teile pro Stunde</translation>
     </message>
     <message>
-        <source>Items and meters</source>
+        <source>Item counter and meters</source>
         <translation>Teile und Zähler</translation>
     </message>
     <message>
@@ -2803,7 +2803,7 @@
         <translation>Mischer für Flüssigkeiten und Briketts</translation>
     </message>
     <message>
-        <source>Motor with self-holding</source>
+        <source>Motor with latching</source>
         <translation>Motor mit Selbsthaltung</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Pulsweitenmodulation eines Sinus</translation>
     </message>
     <message>
-        <source>Rack with a robot</source>
+        <source>Storage rack with a robot</source>
         <translation>Regal mit Roboter</translation>
     </message>
     <message>
@@ -2831,11 +2831,11 @@
         <translation>Roboter und CNC-Maschine</translation>
     </message>
     <message>
-        <source>Robot that packs boxes</source>
+        <source>Packing robot with camera inspection</source>
         <translation>Roboter packt Kartons</translation>
     </message>
     <message>
-        <source>Two level sensors that watch each other</source>
+        <source>Two redundant level sensors</source>
         <translation>Zwei Füllstandsensoren im Vergleich</translation>
     </message>
     <message>
@@ -2843,7 +2843,7 @@
         <translation>Pumpstation mit sechs Pumpen</translation>
     </message>
     <message>
-        <source>Motor with selector</source>
+        <source>Motor with selector switch</source>
         <translation>Motor mit Wahlschalter</translation>
     </message>
     <message>
@@ -2851,11 +2851,11 @@
         <translation>Stapel für ganze Zahlen</translation>
     </message>
     <message>
-        <source>Tank that is filled, heated and emptied</source>
+        <source>Tank with filling, heating and emptying</source>
         <translation>Behälter füllen, heizen und leeren</translation>
     </message>
     <message>
-        <source>Tank, operated by hand</source>
+        <source>Manually operated tank</source>
         <translation>Behälter mit Handbedienung</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@
         <translation>Drei Arten von Ventilen</translation>
     </message>
     <message>
-        <source>Pump in waves</source>
+        <source>Pump control with waves</source>
         <translation>Pumpe bei Wellengang</translation>
     </message>
     <message>
@@ -2891,7 +2891,7 @@
         <translation>Behälter über Modbus</translation>
     </message>
     <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <source>A vehicle between two limit switches, controlled by two linked sequential function charts</source>
         <translation>Ein Fahrzeug zwischen zwei Endschaltern, gesteuert von zwei verknüpften Schrittketten</translation>
     </message>
     <message>
@@ -2907,7 +2907,7 @@
         <translation>Füller, Verschließer und Etikettierer mit Puffern dazwischen, gesteuert nach PackML</translation>
     </message>
     <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
+        <source>A robot parks cars by number plate and retrieves them again</source>
         <translation>Ein Roboter parkt Autos nach ihrem Kennzeichen ein und holt sie wieder</translation>
     </message>
     <message>
@@ -2943,7 +2943,7 @@
         <translation>Der Druckverlust zeigt, wie verschmutzt ein Filter ist; außerhalb des Bereichs folgt ein Alarm</translation>
     </message>
     <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
         <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei Schrittketten nebeneinander</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@
         <translation>Zwei Zweipunktregelungen: eine Heizung mit Sollwert und ein Ventil, das bei Pumpenalarm öffnet</translation>
     </message>
     <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
         <translation>Ein Betriebsstundenzähler, der geladen, freigegeben und angehalten wird: ein Sägezahn</translation>
     </message>
     <message>
@@ -2963,11 +2963,11 @@
         <translation>Zählt Teile, Energie und Wasser; die Zählerstände überstehen einen Stromausfall</translation>
     </message>
     <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
         <translation>Ein Füllstandsensor mit 4 bis 20 mA, drei Lampen und Drahtbrucherkennung</translation>
     </message>
     <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <source>Three machine signals on three lamps that flash or stay on</source>
         <translation>Drei Signale einer Maschine auf drei Lampen, die blinken oder leuchten</translation>
     </message>
     <message>
@@ -2979,8 +2979,8 @@
         <translation>Flüssigkeiten werden gewogen, ein Band bringt zwei Briketts; dann mischt und kippt der Mischer</translation>
     </message>
     <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Start, Stopp und ein Schütz mit Selbsthaltung, auf vier gleichwertige Arten geschrieben</translation>
+        <source>Start, stop and a latching contactor, written in five ways that agree</source>
+        <translation>Start, Stopp und ein Schütz mit Selbsthaltung, auf fünf gleichwertige Arten geschrieben</translation>
     </message>
     <message>
         <source>The local control box or the panel: one block decides which of them is in control</source>
@@ -2991,23 +2991,23 @@
         <translation>Derselbe Prozess mit und ohne PID-Regler, nebeneinander in einem Trace</translation>
     </message>
     <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <source>One filter, two sines: the slow one passes, the fast one is attenuated and delayed</source>
         <translation>Ein Filter, zwei Sinussignale: Das langsame passiert, das schnelle wird gedämpft und eilt nach</translation>
     </message>
     <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <source>A pump tries its speeds and keeps the one with the least energy per cubic metre</source>
         <translation>Eine Pumpe probiert Drehzahlen aus und behält die mit der geringsten Energie je Kubikmeter</translation>
     </message>
     <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <source>Two alternating pumps; a float switch is accepted only after two steady seconds</source>
         <translation>Zwei Pumpen wechseln sich ab; ein Schwimmer zählt erst nach zwei ruhigen Sekunden</translation>
     </message>
     <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <source>A sine becomes pulses for two outputs, as for a motor with two directions</source>
         <translation>Ein Sinus wird zu Impulsen für zwei Ausgänge, wie für einen Motor mit zwei Drehrichtungen</translation>
     </message>
     <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <source>A robot counts encoder pulses to store and retrieve loads in twelve locations</source>
         <translation>Ein Roboter zählt Geberimpulse und lagert Lasten in zwölf Fächern ein und aus</translation>
     </message>
     <message>
@@ -3019,11 +3019,11 @@
         <translation>Ein Roboter legt drei Teile in jeden Karton; eine Kamera prüft das Ergebnis</translation>
     </message>
     <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <source>Two sensors are compared; a faulty one is replaced with the healthy one without a jump</source>
         <translation>Zwei Sensoren im Vergleich; ein gestörter wird stoßfrei durch den gesunden ersetzt</translation>
     </message>
     <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
         <translation>Schaltet sechs Pumpen nach Füllstand und Betriebsstunden über den Tagesgang einer Stadt</translation>
     </message>
     <message>
@@ -3035,11 +3035,11 @@
         <translation>Zuletzt hinein, zuerst heraus: Push, Pop und Reset, in ST und als Anweisungsliste</translation>
     </message>
     <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <source>The same sequence twice: with CASE and as a sequential function chart; either can be in control</source>
         <translation>Derselbe Ablauf zweimal: mit CASE und als Schrittkette; beide können steuern</translation>
     </message>
     <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <source>Fill, empty and stir with three switches; two level switches prevent operating errors</source>
         <translation>Füllen, Leeren und Rühren mit drei Schaltern; zwei Niveauschalter verhindern Fehler</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>Aus einem Strom von 4 bis 20 mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
     </message>
     <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <source>Red, yellow and green from one seconds counter, written in three ways</source>
         <translation>Rot, Gelb und Grün aus einem Sekundenzähler, auf drei Arten geschrieben</translation>
     </message>
     <message>
@@ -3059,15 +3059,15 @@
         <translation>Ein Motorventil, ein Ventil mit Federrückstellung und ein Regelventil, je mit Baustein</translation>
     </message>
     <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <source>A float switch in waves: the pump starts and stops only after five steady seconds</source>
         <translation>Ein Schwimmer in Wellen: Die Pumpe schaltet erst nach fünf ruhigen Sekunden</translation>
     </message>
     <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <source>Four BCD digits become the net weight once the scale has settled</source>
         <translation>Vier BCD-Ziffern werden zum Nettogewicht, sobald die Waage zur Ruhe gekommen ist</translation>
     </message>
     <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <source>Language samples on four pages, each a separate program with a test</source>
         <translation>Sprachbeispiele auf vier Seiten, jedes ein eigenes Programm mit Test</translation>
     </message>
     <message>
@@ -3170,11 +3170,11 @@
         <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos; schreiben Sie seinen Rumpf in ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
         <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
     </message>
     <message>
@@ -3182,31 +3182,31 @@
         <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen; schreiben Sie ihre Bedingung im Text</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
+        <source>PLCopen XML does not support panels; they were left out</source>
         <translation>PLCopen XML unterstützt Panels nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
+        <source>PLCopen XML does not support traces; they were left out</source>
         <translation>PLCopen XML unterstützt Traces nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
+        <source>PLCopen XML does not support tests; they were left out</source>
         <translation>PLCopen XML unterstützt Tests nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <source>PLCopen XML does not support tests; the TEST &apos;{0}&apos; was left out</source>
         <translation>PLCopen XML unterstützt Tests nicht; der TEST „{0}“ wurde ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
         <translation>PLCopen XML unterstützt Namensräume nicht; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
+        <source>PLCopen XML does not support USING; it was left out</source>
         <translation>PLCopen XML unterstützt USING nicht; es wurde ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <source>PLCopen XML does not support the name of the transition {0}; it was left out</source>
         <translation>PLCopen XML unterstützt den Namen der Transition {0} nicht; er wurde ausgelassen</translation>
     </message>
     <message>
@@ -3238,23 +3238,23 @@
         <translation>Version 0201 kennt den Typ {0} nicht; andere Werkzeuge werden ihn nicht kennen</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <source>Version 0201 does not support the pragma {0} of a step; it was left out</source>
         <translation>Version 0201 unterstützt das Pragma {0} eines Schritts nicht; es wurde ausgelassen</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <source>Version 0201 does not support {0} of a task; it was left out</source>
         <translation>Version 0201 unterstützt {0} einer Task nicht; es wurde ausgelassen</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <source>Version 0201 does not support the connections of the program {0}; they were left out</source>
         <translation>Version 0201 unterstützt die Verbindungen des Programms {0} nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <source>Version 0201 does not support libraries; {0} was left out</source>
         <translation>Version 0201 unterstützt Bibliotheken nicht; {0} wurde ausgelassen</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <source>The file is not a program source and was left out; import it separately if it is one</source>
         <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen; importieren Sie sie einzeln, falls sie doch eine ist</translation>
     </message>
     <message>
@@ -3262,7 +3262,7 @@
         <translation>Das Netzwerk „{0}“ ist im Diagramm auskommentiert und fehlt im Text</translation>
     </message>
     <message>
-        <source>Types that {0} has by itself are declared here</source>
+        <source>Types that are predefined in {0} are declared here</source>
         <translation>Typen, die {0} von sich aus hat, sind hier deklariert</translation>
     </message>
     <message>
@@ -3270,19 +3270,19 @@
         <translation>{0} zählt %MW1 in Wörtern; „addressing“ in project.json sagt dasselbe</translation>
     </message>
     <message>
-        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
-        <translation>Die Adresse {0} beginnt an einem Byte, das andere Werkzeuge, die in Wörtern zählen, nicht benennen können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
+        <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
+        <translation>Die Adresse {0} beginnt an einem Byte, das Werkzeuge mit Wortzählung nicht adressieren können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
     </message>
     <message>
-        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
         <translation>{0} greift über die Steuerung hinaus; hier ist er mit seinen Ein- und Ausgängen deklariert und tut nichts</translation>
     </message>
     <message>
-        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
         <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne vorangestelltes {0} geschrieben</translation>
     </message>
     <message>
-        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
         <translation>Stepwise kennt die Namen der Bibliothek {0} selbst; sie werden ohne vorangestelltes {0} geschrieben</translation>
     </message>
     <message>
@@ -3294,7 +3294,7 @@
         <translation>Die Datei ist leer; exportieren Sie sie erneut</translation>
     </message>
     <message>
-        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <source>This is a ZIP archive despite its name; extract it and import the folder</source>
         <translation>Dies ist ein ZIP-Archiv, gleich wie die Datei heißt; entpacken Sie es und importieren Sie den Ordner</translation>
     </message>
     <message>
@@ -3325,15 +3325,15 @@
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Ein XY-Diagramm zeichnet einen Kanal über einem anderen: Fügen Sie dem Trace einen zweiten Kanal hinzu.</translation>
+        <source>An XY plot draws one channel against another: add a second channel to the trace.</source>
+        <translation>Ein XY-Diagramm stellt einen Kanal über einem anderen dar: Fügen Sie dem Trace einen zweiten Kanal hinzu.</translation>
     </message>
     <message>
         <source>XY plot</source>
         <translation>XY-Diagramm</translation>
     </message>
     <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
+        <source>There are no samples in view: run the program or show another section.</source>
         <translation>Im sichtbaren Bereich gibt es keine Abtastwerte: Lassen Sie das Programm laufen oder blenden Sie einen anderen Bereich ein.</translation>
     </message>
     <message>
@@ -3389,7 +3389,7 @@
         <translation>%1: %L2 von %L3 Frequenzen mit einer Kohärenz über 0,8</translation>
     </message>
     <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <source>Runs are overlaid at their triggers: enter a trigger in the properties of the trace.</source>
         <translation>Läufe werden an ihren Triggern übereinandergelegt: Geben Sie in den Eigenschaften des Trace einen Trigger ein.</translation>
     </message>
     <message>
@@ -3397,7 +3397,7 @@
         <translation>Der Trigger hat in dieser Aufzeichnung noch nicht ausgelöst.</translation>
     </message>
     <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <source>The runs of the visible channels are overlaid: add a channel.</source>
         <translation>Läufe der sichtbaren Kanäle werden übereinandergelegt: Fügen Sie einen Kanal hinzu.</translation>
     </message>
     <message>
@@ -5168,7 +5168,7 @@
         <translation>gesetzt von {0}  {1} ({2})</translation>
     </message>
     <message>
-        <source>set by what the compiler adds ({0})</source>
+        <source>set by code that the compiler adds ({0})</source>
         <translation>gesetzt von Code, den der Compiler ergänzt ({0})</translation>
     </message>
     <message>
@@ -5216,8 +5216,8 @@
         <translation>von einer Anweisung eines Tests gesetzt</translation>
     </message>
     <message>
-        <source>not known who set it</source>
-        <translation>unbekannt, wer es gesetzt hat</translation>
+        <source>origin not known</source>
+        <translation>Herkunft unbekannt</translation>
     </message>
     <message>
         <source>the command line</source>
@@ -5364,7 +5364,7 @@
         <translation>{0}   {1}</translation>
     </message>
     <message>
-        <source>its time of {0} is over</source>
+        <source>its time of {0} has elapsed</source>
         <translation>die Zeit von {0} ist abgelaufen</translation>
     </message>
     <message>
@@ -5416,7 +5416,7 @@
         <translation>während des Halts an einem Haltepunkt wurde geschrieben</translation>
     </message>
     <message>
-        <source>the scan had another result when it was run again</source>
+        <source>the scan had a different result when it was run again</source>
         <translation>der Zyklus hatte bei der Wiederholung ein anderes Ergebnis</translation>
     </message>
     <message>
@@ -6009,11 +6009,11 @@
     <name>Remote</name>
     <message>
         <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>Die Anfrage wird nicht verstanden; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
+        <translation>Die Anfrage wird nicht verstanden; Studio und Steuerung haben eventuell unterschiedliche Versionen</translation>
     </message>
     <message>
         <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>Es gibt keine Anfrage {0}; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
+        <translation>Es gibt keine Anfrage {0}; Studio und Steuerung haben eventuell unterschiedliche Versionen</translation>
     </message>
     <message>
         <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
@@ -6024,15 +6024,15 @@
         <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
     </message>
     <message>
-        <source>{0} is not forced</source>
-        <translation>{0} ist nicht geforct</translation>
+        <source>{0} is not forced; there is nothing to release</source>
+        <translation>{0} ist nicht geforct; es gibt kein Forcen aufzuheben</translation>
     </message>
     <message>
         <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
         <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
     </message>
     <message>
@@ -6040,12 +6040,12 @@
         <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie sein Programm erneut</translation>
     </message>
     <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>Es wird bereits eine Aufzeichnung abgeholt; warten Sie, bis sie angekommen ist</translation>
+        <source>A recording is already being downloaded; wait until it is complete</source>
+        <translation>Es wird bereits eine Aufzeichnung heruntergeladen; warten Sie, bis sie vollständig ist</translation>
     </message>
     <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Eine Steuerung, die andere bedient, kann nicht in der Zeit zurückgesetzt werden; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
+        <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
+        <translation>Eine Steuerung im Dienstbetrieb kann nicht ab einem früheren Zyklus fortgesetzt werden; laden Sie ihre Aufzeichnung herunter und setzen Sie dort fort</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6056,7 +6056,7 @@
         <translation>{0} ist nicht erreichbar: {1}</translation>
     </message>
     <message>
-        <source>{0} refuses the connection: {1}</source>
+        <source>{0} rejects the connection: {1}</source>
         <translation>{0} lehnt die Verbindung ab: {1}</translation>
     </message>
     <message>
@@ -6068,8 +6068,8 @@
         <translation>Von diesem Rechner kamen zu viele falsche Codes; warten Sie eine Minute</translation>
     </message>
     <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>Der Code ginge ungeschützt über das Netz; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
+        <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
+        <translation>Der Code würde unverschlüsselt über das Netz gesendet; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
@@ -6130,11 +6130,11 @@
         <translation>gestört: kein Modell erklärt mehr als {0} % davon</translation>
     </message>
     <message>
-        <source>usable; it was still moving before</source>
-        <translation>brauchbar; war davor noch in Bewegung</translation>
+        <source>usable; not at rest before it</source>
+        <translation>brauchbar; davor nicht in Ruhe</translation>
     </message>
     <message>
-        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
         <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie den Sollwert oder den Ausgang einmal von Hand und zeichnen Sie das auf</translation>
     </message>
     <message>
@@ -6142,31 +6142,31 @@
         <translation>Keine der {0} gefundenen Änderungen ist brauchbar: {1}</translation>
     </message>
     <message>
-        <source>No model explains what the output does; something else moves it</source>
+        <source>No model explains the output; something else affects it</source>
         <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes bewegt ihn</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process; choose another one</source>
-        <translation>Die Regel {0} hat für diese Strecke keine Lösung; wählen Sie eine andere</translation>
+        <source>The rule {0} does not apply to this process; choose another one</source>
+        <translation>Die Regel {0} ist für diese Strecke nicht anwendbar; wählen Sie eine andere</translation>
     </message>
     <message>
-        <source>Unstable: the loop would swing up. Do not use this.</source>
-        <translation>Instabil: Der Regelkreis würde sich aufschwingen. Nicht verwenden.</translation>
+        <source>Unstable: the oscillation would grow. Do not use these settings.</source>
+        <translation>Instabil: Die Schwingung würde zunehmen. Diese Einstellungen nicht verwenden.</translation>
     </message>
     <message>
-        <source>Fragile: a small change of the process makes it swing.</source>
+        <source>Fragile: a small change of the process makes it oscillate.</source>
         <translation>Empfindlich: Schon eine kleine Änderung der Strecke bringt den Regelkreis zum Schwingen.</translation>
     </message>
     <message>
-        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
         <translation>Zügig: schnell, mit leichtem Schwingen; die Strecke sollte sich nicht stark ändern.</translation>
     </message>
     <message>
-        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <source>Good: fast enough, and tolerant of the usual process changes.</source>
         <translation>Gut: schnell genug, verträgt die üblichen Änderungen der Strecke.</translation>
     </message>
     <message>
-        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <source>Calm: slow, and tolerant of large process changes.</source>
         <translation>Ruhig: langsam, verträgt auch starke Änderungen der Strecke.</translation>
     </message>
     <message>
@@ -6178,11 +6178,11 @@
         <translation>Ein Sprung des Sollwerts führt zu {0} % Überschwingen.</translation>
     </message>
     <message>
-        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
-        <translation>Ziegler-Nichols dient hier zum Vergleich: Es schwingt und verträgt wenig. Nehmen Sie stattdessen SIMC oder das Optimum.</translation>
+        <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols dient hier zum Vergleich: Es schwingt und verträgt wenig Änderung. Verwenden Sie stattdessen SIMC oder das Optimum.</translation>
     </message>
     <message>
-        <source>The rule looks at one lag only; check the margins.</source>
+        <source>The rule considers only one lag; check the margins.</source>
         <translation>Die Regel berücksichtigt nur ein Verzögerungsglied; prüfen Sie die Reserven.</translation>
     </message>
     <message>
@@ -6330,15 +6330,15 @@
         <translation>Schwingt nicht.</translation>
     </message>
     <message>
-        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
     </message>
     <message>
-        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
         <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
     </message>
     <message>
-        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>Die wahrscheinliche Ursache liegt außerhalb: Weder die Einstellungen noch ein klemmendes Ventil erklären es.</translation>
     </message>
     <message>
@@ -6350,19 +6350,19 @@
         <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
     </message>
     <message>
-        <source>the output did not answer: the controller was not in charge</source>
-        <translation>der Ausgang hat nicht reagiert: Der Regler war nicht im Eingriff</translation>
+        <source>the output did not respond: the controller was not active</source>
+        <translation>der Ausgang hat nicht reagiert: Der Regler war nicht aktiv</translation>
     </message>
     <message>
         <source>too short: not at rest again before the next change</source>
         <translation>zu kurz: vor der nächsten Änderung nicht wieder in Ruhe</translation>
     </message>
     <message>
-        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
         <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder von Hand den Ausgang, und zeichnen Sie das auf</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>Änderung {0} ist eine Störung: Ihre Ursache ist unbekannt, daher ergibt sie kein Modell; wählen Sie eine Änderung des Sollwerts oder des Ausgangs</translation>
     </message>
 </context>
@@ -6393,7 +6393,7 @@
         <translation>Die Tabelle hat außer der Zeit keine Spalte mit Zahlen; fügen Sie eine mit Überschrift hinzu</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
+        <source>The table has no rows below its headings; write one row per sample</source>
         <translation>Die Tabelle hat unter den Überschriften keine Zeilen; schreiben Sie eine Zeile je Abtastwert</translation>
     </message>
     <message>
@@ -6405,20 +6405,20 @@
         <translation>die Namen ihrer Spalten sind als Variablen nicht möglich; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer section</source>
         <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; zeigen Sie einen längeren Bereich an</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer section</source>
         <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; zeigen Sie einen längeren Bereich an</translation>
     </message>
     <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>Der Eingang ändert sich hier nicht; es gibt keine Antwort zu berechnen</translation>
+        <source>The input does not change here, so there is no response; show another section</source>
+        <translation>Der Eingang ändert sich hier nicht, daher gibt es keine Antwort; zeigen Sie einen anderen Abschnitt an</translation>
     </message>
     <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} braucht am Ende eine schließende Klammer; sie umschließt den ganzen Ausdruck</translation>
+        <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
+        <translation>{0} braucht am Ende eine schließende Klammer; sie muss den ganzen Ausdruck umschließen</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -6519,7 +6519,7 @@
         <translation>Verbunden mit %1; das Programm dort ist nicht das hier geöffnete</translation>
     </message>
     <message>
-        <source>%1 is lost – connecting again…</source>
+        <source>Connection to %1 lost – reconnecting…</source>
         <translation>Verbindung zu %1 unterbrochen – wird wiederhergestellt…</translation>
     </message>
     <message>
@@ -6527,8 +6527,8 @@
         <translation>Verbindung mit %1 wird hergestellt…</translation>
     </message>
     <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>Die Steuerung läuft dort; was hier geschrieben und geforct wird, wirkt dort</translation>
+        <source>The controller runs remotely; values written and forced here take effect there</source>
+        <translation>Die Steuerung läuft entfernt; hier geschriebene und geforcte Werte wirken dort</translation>
     </message>
 </context>
 <context>
@@ -6558,7 +6558,7 @@
         <translation>Dasselbe als Anweisungsliste</translation>
     </message>
     <message>
-        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <source>Both give the same results. Replacing can be undone in one step; comments are kept, each above its statement.</source>
         <translation>Beide liefern dieselben Ergebnisse. Das Ersetzen lässt sich in einem Schritt rückgängig machen; Kommentare bleiben erhalten, jeder über seiner Anweisung.</translation>
     </message>
     <message>
@@ -6760,7 +6760,7 @@
         <translation>Schreibgeschützte Datei</translation>
     </message>
     <message>
-        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <source>%1 is read-only. Replace it anyway? It stays read-only.</source>
         <translation>%1 ist schreibgeschützt. Trotzdem ersetzen? Die Datei bleibt schreibgeschützt.</translation>
     </message>
     <message>
@@ -6965,7 +6965,7 @@ Nicht erhalten: %3</translation>
         <translation>%1 wird gelesen…</translation>
     </message>
     <message>
-        <source>Becomes a project of its own, with the libraries it uses</source>
+        <source>Becomes a separate project with the libraries it uses</source>
         <translation>Wird ein eigenes Projekt mit den Bibliotheken, die es verwendet</translation>
     </message>
     <message>
@@ -6976,11 +6976,11 @@ Nicht erhalten: %3</translation>
 <context>
     <name>plc::app::InsideViews</name>
     <message>
-        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <source>Coverage of the latest %1 of %2 recorded scans</source>
         <translation>Abdeckung der neuesten %1 von %2 aufgezeichneten Zyklen</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Es gibt noch keine Aufzeichnung: Starten Sie zuerst das Programm.</translation>
     </message>
     <message>
@@ -7006,8 +7006,8 @@ Nicht erhalten: %3</translation>
         <translation>Angezeigtes Panel</translation>
     </message>
     <message>
-        <source>Full screen (Esc ends it)</source>
-        <translation>Vollbild (Esc beendet es)</translation>
+        <source>Full screen (Esc to exit)</source>
+        <translation>Vollbild (Esc zum Beenden)</translation>
     </message>
     <message>
         <source>This project has no panel yet.
@@ -7191,8 +7191,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wiederherstellung</translation>
     </message>
     <message>
-        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Das Studio wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
+        <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
+        <translation>Stepwise wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -7302,8 +7302,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Programm</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Strukturierter Text mit Farben nach Bedeutung. Fehler werden beim Tippen unterstrichen; Alt+Enter bietet Schnellkorrekturen an; Strg+Leertaste ergänzt.</translation>
+        <source>Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Strukturierter Text mit semantischer Hervorhebung. Fehler werden beim Tippen unterstrichen; Alt+Enter bietet Schnellkorrekturen an; Strg+Leertaste vervollständigt.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -7322,8 +7322,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Der Trace</translation>
     </message>
     <message>
-        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>Nichts musste vorher gewählt werden: Jeder Zyklus ist aufgezeichnet, und jeder Ausdruck wird auch nachträglich zum Diagramm.</translation>
+        <source>Nothing has to be selected in advance: every scan is recorded, and any expression can be charted afterwards.</source>
+        <translation>Nichts muss vorher gewählt werden: Jeder Zyklus wird aufgezeichnet, und jeder Ausdruck lässt sich nachträglich als Diagramm darstellen.</translation>
     </message>
     <message>
         <source>The panel</source>
@@ -7658,7 +7658,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aufzeichnung öffnen…</translation>
     </message>
     <message>
-        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <source>All values are from a recording file. Click to go back to the controller.</source>
         <translation>Alle Werte stammen aus der Aufzeichnung in einer Datei. Ein Klick führt zurück zur Steuerung.</translation>
     </message>
     <message>
@@ -7773,8 +7773,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Abgebrochen: Nichts wurde gespeichert</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 ist in %2 geschrieben und wird so gespeichert, wie die Datei vorgefunden wurde</translation>
+        <source>%1 is encoded in %2 and will be saved in that encoding</source>
+        <translation>%1 ist in %2 codiert und wird in dieser Codierung gespeichert</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -7813,7 +7813,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>Speed of the controller; any factor can be typed:</source>
+        <source>Speed of the controller; any factor can be entered:</source>
         <translation>Geschwindigkeit der Steuerung; jeder Faktor kann eingegeben werden:</translation>
     </message>
     <message>
@@ -7833,7 +7833,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wurde exportiert</translation>
     </message>
     <message>
-        <source>Select the Next Occurrence Too</source>
+        <source>Add Next Occurrence to Selection</source>
         <translation>Nächstes Vorkommen auch auswählen</translation>
     </message>
     <message>
@@ -7889,8 +7889,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Andere Datei daneben öffnen</translation>
     </message>
     <message>
-        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>%1 Es kann nichts kaputtgehen: Die Anlage besteht nur aus Zahlen. Mit „Weiter“ sehen Sie sich eine Minute lang um, mit F5 starten Sie sofort.</translation>
+        <source>%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to run it straight away.</source>
+        <translation>%1 Es kann nichts kaputtgehen: Die Anlage ist nur eine Simulation. Mit „Weiter“ sehen Sie sich eine Minute lang um, mit F5 starten Sie sofort.</translation>
     </message>
     <message>
         <source>This is the project %1.</source>
@@ -7901,7 +7901,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Was zu drücken ist</translation>
     </message>
     <message>
-        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <source>The page next to the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
         <translation>Die Seite neben dem Programm ist die README des Projekts: was es anzeigt, was zu drücken und was zu überwachen ist.</translation>
     </message>
     <message>
@@ -8761,8 +8761,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Standard wiederherstellen</translation>
     </message>
     <message>
-        <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 gehört jetzt zu „%2“; „%3“ verliert es.</translation>
+        <source>%1 is now assigned to “%2” instead of “%3”.</source>
+        <translation>%1 ist jetzt „%2“ statt „%3“ zugewiesen.</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -8962,8 +8962,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Was wäre, wenn?</translation>
     </message>
     <message>
-        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
-        <translation>Die Steuerung geht zum angezeigten Zyklus zurück und läuft von dort mit diesen Werten weiter. Der Trace zeichnet darunter, was vorher geschah.</translation>
+        <source>The controller goes back to the scan shown and continues from there with these values. The trace draws what really happened behind the new curves.</source>
+        <translation>Die Steuerung geht zum angezeigten Zyklus zurück und läuft von dort mit diesen Werten weiter. Der Trace zeichnet dahinter, was tatsächlich geschah.</translation>
     </message>
     <message>
         <source>A variable, such as Main.level</source>
@@ -8990,7 +8990,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zu ändernde Werte</translation>
     </message>
     <message>
-        <source>Run From Here</source>
+        <source>Run from Here</source>
         <translation>Ab hier ausführen</translation>
     </message>
     <message>
@@ -8998,7 +8998,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>%1 hat in diesem Zyklus keinen Wert; wählen Sie eine andere Variable</translation>
     </message>
     <message>
-        <source>Give at least one variable another value</source>
+        <source>Enter a different value for at least one variable</source>
         <translation>Geben Sie mindestens einer Variablen einen anderen Wert</translation>
     </message>
 </context>
@@ -9033,7 +9033,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Alle entfernen</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <source>The running program has no code at or below this line; choose a line with a statement</source>
         <translation>Das laufende Programm hat in dieser Zeile und darunter keinen Code; wählen Sie eine Zeile mit einer Anweisung</translation>
     </message>
 </context>
@@ -9107,7 +9107,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Der Baustein %1 ist im Text nicht mehr vorhanden; machen Sie die Änderung rückgängig oder schließen Sie diese Ansicht</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Copy the selected rows, else all</source>
+        <source>Copy the selected rows, or all rows</source>
         <translation>Die gewählten Zeilen kopieren, sonst alle</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Only faults and refusals</source>
+        <source>Only faults and rejections</source>
         <translation>Nur Fehler und Ablehnungen</translation>
     </message>
     <message>
@@ -9533,7 +9533,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Drucken…</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
     </message>
 </context>
@@ -9589,14 +9589,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 is no longer in the text; undo the change or close this view</source>
-        <translation>%1 steht nicht mehr im Text; machen Sie die Änderung rückgängig oder schließen Sie diese Ansicht</translation>
+        <translation>%1 ist im Text nicht mehr vorhanden; machen Sie die Änderung rückgängig oder schließen Sie diese Ansicht</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
@@ -9812,8 +9812,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Variable überall umbenennen</translation>
     </message>
     <message>
-        <source>Go to the declaration</source>
-        <translation>Gehe zur Deklaration</translation>
+        <source>Go to the definition</source>
+        <translation>Gehe zur Definition</translation>
     </message>
     <message>
         <source>References to the variable</source>
@@ -9897,7 +9897,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Änderung wartet auf das Zyklusende</translation>
     </message>
     <message>
-        <source>The program has errors; the controller goes on with the old one</source>
+        <source>The program has errors; the controller continues with the old program</source>
         <translation>Das Programm hat Fehler; die Steuerung läuft mit dem alten weiter</translation>
     </message>
     <message>
@@ -9909,7 +9909,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Übersetzen</translation>
     </message>
     <message>
-        <source>Not optimised: the quick code goes on</source>
+        <source>Not optimised: the quick code keeps running</source>
         <translation>Nicht optimiert: der schnell übersetzte Code läuft weiter</translation>
     </message>
     <message>
@@ -9928,7 +9928,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::editor::SlowScanView</name>
     <message>
-        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <source>Back to the previous breakpoint or to the first statement of the scan</source>
         <translation>Zurück zum vorigen Haltepunkt oder zur ersten Anweisung des Zyklus</translation>
     </message>
     <message>
@@ -9956,7 +9956,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Ausführen bis Rücksprung</translation>
     </message>
     <message>
-        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <source>Forward to the next breakpoint or to the end of the scan</source>
         <translation>Weiter zum nächsten Haltepunkt oder zum Ende des Zyklus</translation>
     </message>
     <message>
@@ -9964,7 +9964,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Durchgang beenden</translation>
     </message>
     <message>
-        <source>Where the walk stands</source>
+        <source>Current position of the walk</source>
         <translation>Stand des Durchgangs</translation>
     </message>
     <message>
@@ -10176,8 +10176,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Störverhalten</translation>
     </message>
     <message>
-        <source>Trial with the block itself</source>
-        <translation>Probelauf mit dem Baustein</translation>
+        <source>Simulation with the actual block</source>
+        <translation>Simulation mit dem echten Baustein</translation>
     </message>
     <message>
         <source>Control loop</source>
@@ -10188,7 +10188,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Sprünge suchen</translation>
     </message>
     <message>
-        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <source>Searches the recording for steps of the set point and of the output and fits a model of the process.</source>
         <translation>Sucht in der Aufzeichnung nach Sprüngen des Sollwerts und des Ausgangs und bildet ein Modell der Strecke.</translation>
     </message>
     <message>
@@ -10331,8 +10331,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wählen Sie mindestens einen Sprung.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process; choose another rule.</source>
-        <translation>Die Regel hat für diese Strecke keine Lösung; wählen Sie eine andere Regel.</translation>
+        <source>The rule does not apply to this process; choose another rule.</source>
+        <translation>Die Regel ist für diese Strecke nicht anwendbar; wählen Sie eine andere Regel.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10424,7 +10424,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Step of the load</source>
-        <translation>Sprung der Last</translation>
+        <translation>Lastsprung</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -10439,11 +10439,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zurückgenommen: %1</translation>
     </message>
     <message>
-        <source>What the model leaves</source>
-        <translation>Was das Modell nicht erklärt</translation>
+        <source>Residuals of the model</source>
+        <translation>Residuen des Modells</translation>
     </message>
     <message>
-        <source>recorded less model</source>
+        <source>recorded minus model</source>
         <translation>aufgezeichnet minus Modell</translation>
     </message>
     <message>
@@ -10503,7 +10503,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Sprungantworten</translation>
     </message>
     <message>
-        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <source>Start the controller or open a recording to search it for steps.</source>
         <translation>Starten Sie die Steuerung, oder öffnen Sie eine Aufzeichnung; darin wird nach Sprüngen gesucht.</translation>
     </message>
     <message>
@@ -10671,23 +10671,23 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Eine Variable oder ein Ausdruck, zum Beispiel Main.level &gt; 80</translation>
     </message>
     <message>
-        <source>What is asked about</source>
-        <translation>Wonach gefragt wird</translation>
+        <source>Variable or expression to explain</source>
+        <translation>Zu erklärende Variable oder Ausdruck</translation>
     </message>
     <message>
         <source>Why?</source>
         <translation>Warum?</translation>
     </message>
     <message>
-        <source>What changed it, and what that needed</source>
-        <translation>Was es geändert hat und was dafür nötig war</translation>
+        <source>What changed it, and what had to hold</source>
+        <translation>Was es geändert hat und was dafür gelten musste</translation>
     </message>
     <message>
         <source>Why Not?</source>
         <translation>Warum nicht?</translation>
     </message>
     <message>
-        <source>The smallest changes that would make the condition come out otherwise</source>
+        <source>The smallest changes that would change the result of the condition</source>
         <translation>Die kleinsten Änderungen, mit denen die Bedingung ein anderes Ergebnis hätte</translation>
     </message>
     <message>
@@ -10711,11 +10711,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Klicken Sie mit der rechten Maustaste auf eine Variable im Text, in der Überwachung, im Baum, im Trace oder in einem Panel, und fragen Sie, warum sie ihren Wert hat.</translation>
     </message>
     <message>
-        <source>Looking into the recorded scans…</source>
+        <source>Searching the recorded scans…</source>
         <translation>Die aufgezeichneten Zyklen werden untersucht…</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Es gibt noch keine Aufzeichnung: Starten Sie zuerst das Programm.</translation>
     </message>
     <message>
@@ -10744,8 +10744,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Do not wait for the answer (Esc)</source>
-        <translation>Nicht auf die Antwort warten (Esc)</translation>
+        <source>Cancel (Esc)</source>
+        <translation>Abbrechen (Esc)</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>

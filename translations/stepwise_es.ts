@@ -72,12 +72,12 @@
         <translation>{0} no es un puerto serie; escriba su ruta, por ejemplo /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} y {1} escuchan ambos en el puerto {2}; asigne otro puerto a uno</translation>
+        <source>{0} and {1} both listen on port {2}; change one of the ports</source>
+        <translation>{0} y {1} escuchan ambos en el puerto {2}; cambie uno de los puertos</translation>
     </message>
     <message>
-        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
-        <translation>Los puertos por debajo de 1024 necesitan permisos especiales; un puerto como 1502, no</translation>
+        <source>Ports below 1024 require special privileges; use a port such as 1502</source>
+        <translation>Los puertos por debajo de 1024 necesitan permisos especiales; use un puerto como 1502</translation>
     </message>
     <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
@@ -120,7 +120,7 @@
         <translation>Solo un canal MQTT puede ser de tipo STRING; use un número o BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <source>&quot;scale&quot; must not be 0; omit it for 1</source>
         <translation>«scale» no debe ser 0; omítalo para 1</translation>
     </message>
     <message>
@@ -132,7 +132,7 @@
         <translation>{0}: {1}</translation>
     </message>
     <message>
-        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <source>{0} has no variable yet; enter one, or have the addresses proposed (stepwise devices PROJECT --propose)</source>
         <translation>{0} aún no tiene variable; indique una o haga que se propongan las direcciones (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
@@ -156,11 +156,11 @@
         <translation>{0} es una constante y no se puede escribir; elija una variable</translation>
     </message>
     <message>
-        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <source>{0} reports the quality of the channel and must be a BOOL or an integer</source>
         <translation>{0} indica si el canal es válido y debe ser BOOL o un entero</translation>
     </message>
     <message>
-        <source>{0} says whether the device answers and must be a BOOL</source>
+        <source>{0} reports whether the device responds and must be a BOOL</source>
         <translation>{0} indica si el dispositivo responde y debe ser BOOL</translation>
     </message>
     <message>
@@ -168,15 +168,15 @@
         <translation>«onLoss»: «safe» necesita el valor en «safe»</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the password in its first line</source>
-        <translation>{0} no se puede leer; contiene la contraseña en su primera línea</translation>
+        <source>{0} cannot be read; its first line must be the password</source>
+        <translation>{0} no se puede leer; su primera línea debe ser la contraseña</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
-        <translation>{0} no se puede leer; contiene los certificados de la autoridad (PEM)</translation>
+        <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
+        <translation>{0} no se puede leer; debe contener los certificados de la autoridad (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <source>no response within {0} ms; check the cable, the address and the unit number</source>
         <translation>sin respuesta en {0}&#xa0;ms; compruebe el cable, la dirección y el número de unidad</translation>
     </message>
     <message>
@@ -184,11 +184,11 @@
         <translation>la conexión terminó: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <source>the response does not match the request; check baud rate, parity and unit number</source>
         <translation>la respuesta no corresponde a la petición; compruebe la velocidad, la paridad y el número de unidad</translation>
     </message>
     <message>
-        <source>the device refuses {0} {1}: {2}</source>
+        <source>the device rejects {0} {1}: {2}</source>
         <translation>el dispositivo rechaza {0} {1}: {2}</translation>
     </message>
     <message>
@@ -200,23 +200,23 @@
         <translation>no tiene esa dirección; compruebe la dirección en su manual</translation>
     </message>
     <message>
-        <source>it does not take the value; check the range in its manual</source>
+        <source>it does not accept the value; check the range in its manual</source>
         <translation>no acepta el valor; compruebe el rango en su manual</translation>
     </message>
     <message>
-        <source>it failed; look at the device</source>
-        <translation>ha fallado; revise el dispositivo</translation>
+        <source>it reports a failure; check the device</source>
+        <translation>notifica un fallo; revise el dispositivo</translation>
     </message>
     <message>
-        <source>it is busy; it is asked again</source>
-        <translation>está ocupado; se le preguntará de nuevo</translation>
+        <source>it is busy; the request will be repeated</source>
+        <translation>está ocupado; se repetirá la petición</translation>
     </message>
     <message>
-        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
         <translation>la pasarela no lo alcanza; compruebe el número de unidad y el cable detrás de ella</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <source>cannot listen on {0}: {1}; choose another address or port</source>
         <translation>no se puede escuchar en {0}: {1}; elija otra dirección u otro puerto</translation>
     </message>
     <message>
@@ -228,11 +228,11 @@
         <translation>{0}: un valor no cabe en la variable; use un tipo mayor o un factor de escala</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms; check the client and its address</source>
+        <source>no client has written for {0} ms; check the client and its address</source>
         <translation>ningún cliente ha escrito en {0}&#xa0;ms; compruebe el cliente y su dirección</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <source>the broker rejects the connection: {0}; check the user and the password</source>
         <translation>el bróker rechaza la conexión: {0}; compruebe el usuario y la contraseña</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>Los dispositivos tenían errores cuando se compiló el controlador; corríjalos y vuelva a compilar</translation>
     </message>
     <message>
-        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <source>Set the speed to real time first; devices cannot follow any other speed</source>
         <translation>Ajuste primero la velocidad a tiempo real; los dispositivos no pueden seguir otra</translation>
     </message>
     <message>
@@ -1060,8 +1060,8 @@
         <translation>{0} está forzada; anule el forzado antes de escribir</translation>
     </message>
     <message>
-        <source>the variable is not forced</source>
-        <translation>la variable no está forzada</translation>
+        <source>the variable is not forced; there is nothing to release</source>
+        <translation>la variable no está forzada; no hay forzado que anular</translation>
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
@@ -1400,16 +1400,16 @@
         <translation>ASSERT ha fallado: {0} ({1})</translation>
     </message>
     <message>
-        <source>A coil writes a variable.</source>
-        <translation>Una bobina escribe una variable.</translation>
+        <source>A coil writes a variable; enter the name of one.</source>
+        <translation>Una bobina escribe una variable; introduzca su nombre.</translation>
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
         <translation>Una conexión no tiene contactos; escriba una expresión.</translation>
     </message>
     <message>
-        <source>A rung cannot move into itself.</source>
-        <translation>Un segmento no se puede mover dentro de sí mismo.</translation>
+        <source>A rung cannot be moved into itself; choose a place outside it.</source>
+        <translation>Un segmento no se puede mover dentro de sí mismo; elija un lugar fuera de él.</translation>
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
@@ -1480,16 +1480,16 @@
         <translation>El segmento lee lo que escribe; añada esta bobina en un segmento propio.</translation>
     </message>
     <message>
-        <source>There is no function block {0}.</source>
-        <translation>No existe el bloque de función {0}.</translation>
+        <source>There is no function block {0}; declare it or check the name.</source>
+        <translation>No existe el bloque de función {0}; declárelo o compruebe el nombre.</translation>
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
         <translation>Este cambio no se puede hacer en el esquema; edite el texto.</translation>
     </message>
     <message>
-        <source>This has no operand.</source>
-        <translation>Esto no tiene operando.</translation>
+        <source>This element has no operand; select a contact, a pin or a coil.</source>
+        <translation>Este elemento no tiene operando; seleccione un contacto, un pin o una bobina.</translation>
     </message>
     <message>
         <source>This is not a statement: {0}</source>
@@ -1688,7 +1688,7 @@
         <translation>«{0}» no cabe: necesita {1}&#xa0;px, el máximo es {2}; ensanche el elemento o acorte el texto</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
         <translation>«{0}» no cabe: necesita una altura de {1}&#xa0;px, el máximo es {2}; haga más alto el elemento o acorte el texto</translation>
     </message>
     <message>
@@ -1972,8 +1972,8 @@
         <translation>El proyecto no tiene el idioma {0}, así que los operadores nunca ven esta columna; añádalo a los idiomas en project.json</translation>
     </message>
     <message>
-        <source>Nothing says what this does; give it a text, or place one beside it</source>
-        <translation>Nada indica para qué sirve esto; dele un texto o coloque uno al lado</translation>
+        <source>No text says what this does; add one, or place one next to it</source>
+        <translation>Ningún texto indica para qué sirve esto; añada uno o coloque uno al lado</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2012,12 +2012,12 @@
         <translation>El programa no se compiló a partir de código fuente.</translation>
     </message>
     <message>
-        <source>The recording does not contain the program of this scan.</source>
-        <translation>La grabación no contiene el programa de este ciclo.</translation>
+        <source>The recording does not contain the program of this scan; choose a later scan.</source>
+        <translation>La grabación no contiene el programa de este ciclo; elija un ciclo posterior.</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording.</source>
-        <translation>Este ciclo ya no está en la grabación.</translation>
+        <source>This scan is no longer in the recording; choose a later scan.</source>
+        <translation>Este ciclo ya no está en la grabación; elija un ciclo posterior.</translation>
     </message>
     <message>
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
@@ -2028,8 +2028,8 @@
         <translation>No existe el usuario {0}; créelo o compruebe el nombre</translation>
     </message>
     <message>
-        <source>The password cannot be kept: {0}</source>
-        <translation>No se puede conservar la contraseña: {0}</translation>
+        <source>The password cannot be saved: {0}</source>
+        <translation>No se puede guardar la contraseña: {0}</translation>
     </message>
     <message>
         <source>A password needs at least {0} characters; choose a longer one</source>
@@ -2048,8 +2048,8 @@
         <translation>No se puede leer el registro de auditoría: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
-        <translation>El marco {0} no tiene área de panel, por lo que no se ve ningún panel en él; añada una</translation>
+        <source>The frame {0} has no panel area, so no panel is shown in it; add one</source>
+        <translation>El marco {0} no tiene área de panel, por lo que no se muestra ningún panel en él; añada una</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
@@ -2108,8 +2108,8 @@
         <translation>No existe la regla {0}; ¿quería decir {1}?</translation>
     </message>
     <message>
-        <source>The rule stays on until a text says why it is off</source>
-        <translation>La regla sigue activa hasta que un texto diga por qué está desactivada</translation>
+        <source>The rule stays on until a reason for switching it off is given</source>
+        <translation>La regla sigue activa hasta que se indique un motivo para desactivarla</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2124,20 +2124,20 @@
         <translation>El valor debe ser un objeto con un nivel, la distancia y las reglas desactivadas</translation>
     </message>
     <message>
-        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
-        <translation>El color {0} se ve siempre, pase lo que pase; use {1}</translation>
+        <source>The colour {0} is always visible, whatever the state; use {1}</source>
+        <translation>El color {0} se ve siempre, sea cual sea el estado; use {1}</translation>
     </message>
     <message>
-        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
-        <translation>{0} es un color de alarma, pero se ve cuando todo es normal; use {1}</translation>
+        <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
+        <translation>{0} es un color de alarma, pero se ve en funcionamiento normal; use {1}</translation>
     </message>
     <message>
-        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
         <translation>Solo el tono distingue {0} de {1}; elija uno más claro o añada un texto o un parpadeo</translation>
     </message>
     <message>
-        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Nada indica qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
+        <source>No text says what the lamp means; give it a label, or place a text next to it</source>
+        <translation>Ningún texto indica qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2152,16 +2152,16 @@
         <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0}&#xa0;px; a {2} mm se necesitan {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que un dedo solo encuentra {0}&#xa0;px que pulsar; se necesitan {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
+        <translation>El faceplate es tan pequeño aquí que solo quedan {0} px para un dedo; se necesitan {1} px</translation>
     </message>
     <message>
-        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a sus vecinos; se necesitan {2}&#xa0;px en ambas direcciones</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px son demasiado pequeños para un dedo junto a otros controles; se necesitan {2} px en ambas direcciones</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
-        <translation>El panel muestra {0} cosas que leer o pulsar; con su tamaño se abarcan {1}; pase algunas a otro panel</translation>
+        <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
+        <translation>El panel muestra {0} valores y controles; el máximo para su tamaño es {1}; pase algunos a otro panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2172,19 +2172,19 @@
         <translation>Nada en el panel {0} lleva atrás; añada un botón con la acción back o home, o una barra de navegación</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <source>{0} is in a different place on the panel {1}; put it in the same place on both</source>
         <translation>{0} está en otro lugar en el panel {1}; póngalo en el mismo lugar en los dos</translation>
     </message>
     <message>
-        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Lo normal es gris, para que el ojo encuentre lo que no lo es (ISA-101). Use un rol del tema como surface, off o running, y dé color solo a los estados.</translation>
+        <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Los estados normales son grises, para que se noten los anormales (ISA-101). Use un rol del tema como surface, off o running, y dé color solo a los estados.</translation>
     </message>
     <message>
-        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
         <translation>El rojo, el naranja y el amarillo se reservan para las alarmas. Un operador que los ve todo el día deja de verlos cuando importan (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
         <translation>El texto necesita un contraste de 4,5 a 1 con su fondo; el texto grande, de 3 a 1 (WCAG 2, ISO 9241-303). Los roles del tema lo garantizan en todos los temas.</translation>
     </message>
     <message>
@@ -2192,36 +2192,36 @@
         <translation>Una mayúscula debe verse bajo un ángulo de al menos 16 minutos (ISO 9241-303). La distancia y el tamaño de un píxel se definen en project.json.</translation>
     </message>
     <message>
-        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Un panel que muestra todo se rebusca, no se lee. Mueva los detalles a un panel del nivel siguiente (ISA-101).</translation>
+        <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
+        <translation>En un panel que muestra todo, el operador tiene que buscar. Mueva los detalles a un panel del nivel siguiente (ISA-101).</translation>
     </message>
     <message>
-        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
         <translation>En una situación anómala, cada panel debería estar a tres pulsaciones como máximo, y debería haber un camino de vuelta (ISA-101).</translation>
     </message>
     <message>
-        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
         <translation>Lo que está en varios paneles se encuentra sin mirar si siempre está en el mismo lugar. Póngalo en el marco o en el mismo lugar en todas partes.</translation>
     </message>
     <message>
-        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
-        <translation>Uno cubre al otro, de modo que un texto no se puede leer o una pulsación va al elemento equivocado.</translation>
+        <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
+        <translation>Un elemento cubre a otro, de modo que un texto no se puede leer o se pulsa el elemento equivocado.</translation>
     </message>
     <message>
-        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
-        <translation>Parece que muestra o hace algo. Vincúlelo a una variable o elimínelo.</translation>
+        <source>The element looks as if it had a function. Bind it to a variable, or remove it.</source>
+        <translation>El elemento parece tener una función. Vincúlelo a una variable o elimínelo.</translation>
     </message>
     <message>
-        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
         <translation>Un desliz del dedo envía 500 en vez de 50. Los límites lo rechazan al teclearlo.</translation>
     </message>
     <message>
-        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
-        <translation>Una alarma que nadie ve no lo es. Ponga un banner de alarmas en el marco o una lista de alarmas en un panel (ISA-18.2).</translation>
+        <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>Una alarma que nadie ve es inútil. Ponga un banner de alarmas en el marco o una lista de alarmas en un panel (ISA-18.2).</translation>
     </message>
     <message>
-        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
-        <translation>Una alarma pide una acción del operador. Su ayuda dice cuál y qué ocurre si no se hace (ISA-18.2).</translation>
+        <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
+        <translation>Una alarma requiere una acción del operador. Su ayuda debe indicar cuál y qué ocurre si no se hace (ISA-18.2).</translation>
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
@@ -2240,8 +2240,8 @@
         <translation>«memoryForNew» en project.json es un número de bytes de 0 a {0}</translation>
     </message>
     <message>
-        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
-        <translation>Un dedo necesita 7 mm en ambas direcciones entre los vecinos y 9 mm con guante, que es lo que pide el nivel estricto. El tamaño de un píxel se define en project.json.</translation>
+        <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
+        <translation>Un dedo necesita 7 mm en ambas direcciones, y 9 mm con guante, como exige el nivel estricto. El tamaño de un píxel se define en project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2252,15 +2252,15 @@
         <translation>Se puede escribir cualquier número en {0}; defina «{1}»</translation>
     </message>
     <message>
-        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
         <translation>Uno de cada doce hombres no distingue ciertos colores, y la luz intensa los borra. Muestre lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
     </message>
     <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Lo que solo algunos pueden hacer, o lo que project.json declara crítico, no debe ocurrir por un toque accidental. Active «Las escrituras se confirman» o introduzca una pregunta.</translation>
+        <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Una escritura restringida a ciertos roles, o que project.json declara crítica, no debe activarse con un toque accidental. Active «Las escrituras se confirman» o introduzca una pregunta.</translation>
     </message>
     <message>
-        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
         <translation>Solo {1} puede escribir {0}, pero no se pide confirmación; active «Las escrituras se confirman»</translation>
     </message>
     <message>
@@ -2700,11 +2700,11 @@
         <translation>El proyecto tiene {0} {0:alarma|alarmas}, pero ningún panel tiene una lista ni un banner de alarmas; añada uno</translation>
     </message>
     <message>
-        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} es crítico según project.json, pero una sola pulsación lo escribe; active «Las escrituras se confirman»</translation>
     </message>
     <message>
-        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} suprime alarmas, pero una sola pulsación lo escribe; active «Las escrituras se confirman»</translation>
     </message>
     <message>
@@ -2712,7 +2712,7 @@
         <translation>El panel inicial tiene {0} elementos de mando, pero ningún texto dice qué pulsar cuando nada se mueve; añada una frase o un texto de estado que nombre un elemento de mando</translation>
     </message>
     <message>
-        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>Una máquina parada tiene el mismo aspecto si está averiada que si solo espera. El panel que se ve primero debe decir qué pulsar a continuación: una frase bajo el título o un texto de estado como «Listo: pulse S1».</translation>
     </message>
 </context>
@@ -2739,7 +2739,7 @@
         <translation>Túnel de lavado con recetas</translation>
     </message>
     <message>
-        <source>Room heated by supply air</source>
+        <source>Room heating with supply air</source>
         <translation>Sala calefactada con aire de impulsión</translation>
     </message>
     <message>
@@ -2779,11 +2779,11 @@
         <translation>Cuentahoras con habilitación</translation>
     </message>
     <message>
-        <source>Items per hour</source>
+        <source>Hourly production</source>
         <translation>Piezas por hora</translation>
     </message>
     <message>
-        <source>Items and meters</source>
+        <source>Item counter and meters</source>
         <translation>Piezas y contadores</translation>
     </message>
     <message>
@@ -2803,7 +2803,7 @@
         <translation>Mezclador de dos líquidos y dos bloques</translation>
     </message>
     <message>
-        <source>Motor with self-holding</source>
+        <source>Motor with latching</source>
         <translation>Motor con autorretención</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Modulación por ancho de pulso</translation>
     </message>
     <message>
-        <source>Rack with a robot</source>
+        <source>Storage rack with a robot</source>
         <translation>Estantería con robot</translation>
     </message>
     <message>
@@ -2831,11 +2831,11 @@
         <translation>Robot y máquina CNC</translation>
     </message>
     <message>
-        <source>Robot that packs boxes</source>
+        <source>Packing robot with camera inspection</source>
         <translation>Robot que llena cajas</translation>
     </message>
     <message>
-        <source>Two level sensors that watch each other</source>
+        <source>Two redundant level sensors</source>
         <translation>Dos sensores de nivel que se supervisan</translation>
     </message>
     <message>
@@ -2843,7 +2843,7 @@
         <translation>Estación de bombeo con seis bombas</translation>
     </message>
     <message>
-        <source>Motor with selector</source>
+        <source>Motor with selector switch</source>
         <translation>Motor con selector</translation>
     </message>
     <message>
@@ -2851,11 +2851,11 @@
         <translation>Pila de enteros</translation>
     </message>
     <message>
-        <source>Tank that is filled, heated and emptied</source>
+        <source>Tank with filling, heating and emptying</source>
         <translation>Depósito que se llena, calienta y vacía</translation>
     </message>
     <message>
-        <source>Tank, operated by hand</source>
+        <source>Manually operated tank</source>
         <translation>Depósito en modo manual</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@
         <translation>Tres tipos de válvulas</translation>
     </message>
     <message>
-        <source>Pump in waves</source>
+        <source>Pump control with waves</source>
         <translation>Bomba con oleaje</translation>
     </message>
     <message>
@@ -2891,7 +2891,7 @@
         <translation>Depósito por Modbus</translation>
     </message>
     <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <source>A vehicle between two limit switches, controlled by two linked sequential function charts</source>
         <translation>Un vehículo entre dos finales de carrera, con dos secuencias SFC enlazadas</translation>
     </message>
     <message>
@@ -2907,7 +2907,7 @@
         <translation>Llenadora, taponadora y etiquetadora con pulmones intermedios, según PackML</translation>
     </message>
     <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
+        <source>A robot parks cars by number plate and retrieves them again</source>
         <translation>Un robot aparca los coches según su matrícula y los recoge de nuevo</translation>
     </message>
     <message>
@@ -2943,7 +2943,7 @@
         <translation>La pérdida de carga indica la suciedad de un filtro; fuera de rango, una alarma</translation>
     </message>
     <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
         <translation>Silo, tolva, cinta y camión, controlados por tres secuencias SFC en paralelo</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@
         <translation>Dos controles todo-nada: un calefactor con consigna y una válvula ligada a una alarma</translation>
     </message>
     <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
         <translation>Un contador de horas que se carga, se habilita y se detiene: un diente de sierra</translation>
     </message>
     <message>
@@ -2963,11 +2963,11 @@
         <translation>Cuenta piezas, energía y agua; los valores sobreviven a un corte de corriente</translation>
     </message>
     <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
         <translation>Un sensor de nivel de 4 a 20 mA, tres pilotos y detección de rotura de cable</translation>
     </message>
     <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <source>Three machine signals on three lamps that flash or stay on</source>
         <translation>Tres señales de una máquina en tres pilotos, fijos o intermitentes</translation>
     </message>
     <message>
@@ -2979,8 +2979,8 @@
         <translation>Se pesan líquidos, una cinta trae dos bloques; después el mezclador gira y vuelca</translation>
     </message>
     <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Marcha, paro y un contactor con autorretención, escritos de cuatro formas equivalentes</translation>
+        <source>Start, stop and a latching contactor, written in five ways that agree</source>
+        <translation>Marcha, paro y un contactor con autorretención, escritos de cinco formas equivalentes</translation>
     </message>
     <message>
         <source>The local control box or the panel: one block decides which of them is in control</source>
@@ -2991,23 +2991,23 @@
         <translation>El mismo proceso con y sin regulador PID, juntos en una traza</translation>
     </message>
     <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <source>One filter, two sines: the slow one passes, the fast one is attenuated and delayed</source>
         <translation>Un filtro, dos senos: el lento pasa, el rápido se atenúa y se retrasa</translation>
     </message>
     <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <source>A pump tries its speeds and keeps the one with the least energy per cubic metre</source>
         <translation>Una bomba prueba velocidades y mantiene la de menor energía por metro cúbico</translation>
     </message>
     <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <source>Two alternating pumps; a float switch is accepted only after two steady seconds</source>
         <translation>Dos bombas se turnan; un flotador cuenta solo tras dos segundos estables</translation>
     </message>
     <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <source>A sine becomes pulses for two outputs, as for a motor with two directions</source>
         <translation>Un seno se convierte en pulsos para dos salidas, como en un motor de dos sentidos</translation>
     </message>
     <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <source>A robot counts encoder pulses to store and retrieve loads in twelve locations</source>
         <translation>Un robot cuenta pulsos de encoder para guardar y recoger cargas en doce huecos</translation>
     </message>
     <message>
@@ -3019,11 +3019,11 @@
         <translation>Un robot pone tres piezas en cada caja; una cámara comprueba el resultado</translation>
     </message>
     <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <source>Two sensors are compared; a faulty one is replaced with the healthy one without a jump</source>
         <translation>Dos sensores se comparan; uno sustituye sin saltos al otro si falla</translation>
     </message>
     <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
         <translation>Seis bombas según el nivel y las horas de servicio, al ritmo diario de una ciudad</translation>
     </message>
     <message>
@@ -3035,11 +3035,11 @@
         <translation>Último en entrar, primero en salir: push, pop y reset, en ST y en lista de instrucciones</translation>
     </message>
     <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <source>The same sequence twice: with CASE and as a sequential function chart; either can be in control</source>
         <translation>La misma secuencia dos veces: con CASE y en SFC; cualquiera puede mandar</translation>
     </message>
     <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <source>Fill, empty and stir with three switches; two level switches prevent operating errors</source>
         <translation>Llenar, vaciar y agitar con tres interruptores; dos de nivel evitan errores</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>Una corriente de 4 a 20 mA se convierte en nivel, y el nivel en volumen</translation>
     </message>
     <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <source>Red, yellow and green from one seconds counter, written in three ways</source>
         <translation>Rojo, amarillo y verde con un contador de segundos, escrito de tres formas</translation>
     </message>
     <message>
@@ -3059,15 +3059,15 @@
         <translation>Una válvula motorizada, una con retorno por muelle y una de control, cada una con su bloque</translation>
     </message>
     <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <source>A float switch in waves: the pump starts and stops only after five steady seconds</source>
         <translation>Un flotador entre olas: la bomba conmuta solo tras cinco segundos estables</translation>
     </message>
     <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <source>Four BCD digits become the net weight once the scale has settled</source>
         <translation>Cuatro dígitos BCD dan el peso neto en cuanto la báscula se estabiliza</translation>
     </message>
     <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <source>Language samples on four pages, each a separate program with a test</source>
         <translation>Ejemplos del lenguaje en cuatro páginas, cada uno un programa con su prueba</translation>
     </message>
     <message>
@@ -3170,11 +3170,11 @@
         <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin; escriba su cuerpo en ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
         <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer; llame antes al bloque y use su salida</translation>
     </message>
     <message>
@@ -3182,31 +3182,31 @@
         <translation>La transición {0} no es una única expresión y no se ha leído; escriba su condición en el texto</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
+        <source>PLCopen XML does not support panels; they were left out</source>
         <translation>PLCopen XML no admite paneles; se han omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
+        <source>PLCopen XML does not support traces; they were left out</source>
         <translation>PLCopen XML no admite trazas; se han omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
+        <source>PLCopen XML does not support tests; they were left out</source>
         <translation>PLCopen XML no admite pruebas; se han omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <source>PLCopen XML does not support tests; the TEST &apos;{0}&apos; was left out</source>
         <translation>PLCopen XML no admite pruebas; el TEST «{0}» se ha omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
         <translation>PLCopen XML no admite espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
+        <source>PLCopen XML does not support USING; it was left out</source>
         <translation>PLCopen XML no admite USING; se ha omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <source>PLCopen XML does not support the name of the transition {0}; it was left out</source>
         <translation>PLCopen XML no admite el nombre de la transición {0}; se ha omitido</translation>
     </message>
     <message>
@@ -3238,23 +3238,23 @@
         <translation>La versión 0201 no tiene el tipo {0}; otras herramientas no lo conocerán</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <source>Version 0201 does not support the pragma {0} of a step; it was left out</source>
         <translation>La versión 0201 no admite el pragma {0} de una etapa; se ha omitido</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <source>Version 0201 does not support {0} of a task; it was left out</source>
         <translation>La versión 0201 no admite {0} de una tarea; se ha omitido</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <source>Version 0201 does not support the connections of the program {0}; they were left out</source>
         <translation>La versión 0201 no admite las conexiones del programa {0}; se han omitido</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <source>Version 0201 does not support libraries; {0} was left out</source>
         <translation>La versión 0201 no admite bibliotecas; {0} se ha omitido</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <source>The file is not a program source and was left out; import it separately if it is one</source>
         <translation>El archivo no es código fuente y se ha omitido; impórtelo solo si lo es</translation>
     </message>
     <message>
@@ -3262,7 +3262,7 @@
         <translation>El segmento «{0}» está comentado en el diagrama y se ha omitido del texto</translation>
     </message>
     <message>
-        <source>Types that {0} has by itself are declared here</source>
+        <source>Types that are predefined in {0} are declared here</source>
         <translation>Los tipos que {0} tiene de por sí se declaran aquí</translation>
     </message>
     <message>
@@ -3270,19 +3270,19 @@
         <translation>{0} cuenta %MW1 en palabras; «addressing» en project.json dice lo mismo</translation>
     </message>
     <message>
-        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
-        <translation>La dirección {0} empieza en un byte que otras herramientas, que cuentan en palabras, no pueden nombrar; muévala a un múltiplo de su tamaño</translation>
+        <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
+        <translation>La dirección {0} empieza en un byte que las herramientas que cuentan en palabras no pueden direccionar; muévala a un múltiplo de su tamaño</translation>
     </message>
     <message>
-        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
         <translation>{0} actúa fuera del controlador; se declara aquí con sus entradas y salidas y no hace nada</translation>
     </message>
     <message>
-        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
         <translation>La biblioteca {0} forma parte de esta importación; sus nombres se escriben sin {0} delante</translation>
     </message>
     <message>
-        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
         <translation>Stepwise ya tiene los nombres de la biblioteca {0}; se escriben sin {0} delante</translation>
     </message>
     <message>
@@ -3294,7 +3294,7 @@
         <translation>El archivo está vacío; expórtelo de nuevo</translation>
     </message>
     <message>
-        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <source>This is a ZIP archive despite its name; extract it and import the folder</source>
         <translation>Es un archivo ZIP, se llame como se llame; descomprímalo e importe la carpeta</translation>
     </message>
     <message>
@@ -3325,15 +3325,15 @@
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Un gráfico XY dibuja un canal sobre otro: añada un segundo canal a la traza.</translation>
+        <source>An XY plot draws one channel against another: add a second channel to the trace.</source>
+        <translation>Un gráfico XY muestra un canal frente a otro: añada un segundo canal a la traza.</translation>
     </message>
     <message>
         <source>XY plot</source>
         <translation>Gráfico XY</translation>
     </message>
     <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
+        <source>There are no samples in view: run the program or show another section.</source>
         <translation>No hay muestras a la vista: ejecute el programa o muestre otro tramo.</translation>
     </message>
     <message>
@@ -3389,7 +3389,7 @@
         <translation>%1: %L2 de %L3 frecuencias con una coherencia superior a 0,8</translation>
     </message>
     <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <source>Runs are overlaid at their triggers: enter a trigger in the properties of the trace.</source>
         <translation>Las ejecuciones se superponen en su disparo: introduzca un disparador en las propiedades de la traza.</translation>
     </message>
     <message>
@@ -3397,7 +3397,7 @@
         <translation>El disparador aún no se ha activado en esta grabación.</translation>
     </message>
     <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <source>The runs of the visible channels are overlaid: add a channel.</source>
         <translation>Las ejecuciones de los canales visibles se superponen: añada un canal.</translation>
     </message>
     <message>
@@ -3723,7 +3723,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Group</source>
@@ -5168,7 +5168,7 @@
         <translation>asignado por {0}  {1} ({2})</translation>
     </message>
     <message>
-        <source>set by what the compiler adds ({0})</source>
+        <source>set by code that the compiler adds ({0})</source>
         <translation>asignado por lo que añade el compilador ({0})</translation>
     </message>
     <message>
@@ -5216,8 +5216,8 @@
         <translation>asignado por una instrucción de una prueba</translation>
     </message>
     <message>
-        <source>not known who set it</source>
-        <translation>no se sabe quién lo asignó</translation>
+        <source>origin not known</source>
+        <translation>origen desconocido</translation>
     </message>
     <message>
         <source>the command line</source>
@@ -5364,7 +5364,7 @@
         <translation>{0}   {1}</translation>
     </message>
     <message>
-        <source>its time of {0} is over</source>
+        <source>its time of {0} has elapsed</source>
         <translation>su tiempo de {0} ha transcurrido</translation>
     </message>
     <message>
@@ -5416,7 +5416,7 @@
         <translation>se escribió en él mientras estaba detenido en un punto de interrupción</translation>
     </message>
     <message>
-        <source>the scan had another result when it was run again</source>
+        <source>the scan had a different result when it was run again</source>
         <translation>el ciclo dio otro resultado al repetirlo</translation>
     </message>
     <message>
@@ -6024,15 +6024,15 @@
         <translation>{0} está forzada; anule el forzado antes de escribir</translation>
     </message>
     <message>
-        <source>{0} is not forced</source>
-        <translation>{0} no está forzada</translation>
+        <source>{0} is not forced; there is nothing to release</source>
+        <translation>{0} no está forzado; no hay forzado que anular</translation>
     </message>
     <message>
         <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
         <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
     </message>
     <message>
@@ -6040,12 +6040,12 @@
         <translation>El programa del controlador no tiene el archivo {0}; vuelva a cargar su programa</translation>
     </message>
     <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>Ya se está obteniendo una grabación; espere hasta que llegue</translation>
+        <source>A recording is already being downloaded; wait until it is complete</source>
+        <translation>Ya se está descargando una grabación; espere a que esté completa</translation>
     </message>
     <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Un controlador que sirve a otros no se puede llevar atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
+        <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
+        <translation>Un controlador que funciona como servicio no se puede reanudar desde un ciclo anterior; descargue su grabación y reanude desde ahí</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6056,7 +6056,7 @@
         <translation>No se puede acceder a {0}: {1}</translation>
     </message>
     <message>
-        <source>{0} refuses the connection: {1}</source>
+        <source>{0} rejects the connection: {1}</source>
         <translation>{0} rechaza la conexión: {1}</translation>
     </message>
     <message>
@@ -6068,8 +6068,8 @@
         <translation>Hubo demasiados códigos incorrectos desde este equipo; espere un minuto</translation>
     </message>
     <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>El código atravesaría la red sin protección; use una dirección https e inicie el controlador con --certificate</translation>
+        <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
+        <translation>El código se enviaría por la red sin cifrar; use una dirección https e inicie el controlador con --certificate</translation>
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
@@ -6130,43 +6130,43 @@
         <translation>perturbado: ningún modelo explica más del {0}&#xa0;%</translation>
     </message>
     <message>
-        <source>usable; it was still moving before</source>
-        <translation>utilizable; antes aún se estaba moviendo</translation>
+        <source>usable; not at rest before it</source>
+        <translation>utilizable; no estaba en reposo antes</translation>
     </message>
     <message>
-        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
-        <translation>No hay ningún escalón ni perturbación en la grabación; cambie una vez la consigna o la salida a mano y grábelo</translation>
+        <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
+        <translation>No hay ningún escalón ni perturbación en la grabación; cambie una vez la consigna o la salida y grabe la respuesta</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
         <translation>Ninguno de los {0} cambios encontrados es utilizable: {1}</translation>
     </message>
     <message>
-        <source>No model explains what the output does; something else moves it</source>
+        <source>No model explains the output; something else affects it</source>
         <translation>Ningún modelo explica lo que hace la salida; otra cosa la mueve</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process; choose another one</source>
-        <translation>La regla {0} no tiene respuesta para este proceso; elija otra</translation>
+        <source>The rule {0} does not apply to this process; choose another one</source>
+        <translation>La regla {0} no es aplicable a este proceso; elija otra</translation>
     </message>
     <message>
-        <source>Unstable: the loop would swing up. Do not use this.</source>
-        <translation>Inestable: el lazo oscilaría cada vez más. No lo use.</translation>
+        <source>Unstable: the oscillation would grow. Do not use these settings.</source>
+        <translation>Inestable: la oscilación aumentaría. No use estos ajustes.</translation>
     </message>
     <message>
-        <source>Fragile: a small change of the process makes it swing.</source>
+        <source>Fragile: a small change of the process makes it oscillate.</source>
         <translation>Frágil: un pequeño cambio del proceso lo hace oscilar.</translation>
     </message>
     <message>
-        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
         <translation>Ágil: rápido, con una ligera oscilación; el proceso no debería cambiar mucho.</translation>
     </message>
     <message>
-        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <source>Good: fast enough, and tolerant of the usual process changes.</source>
         <translation>Bueno: suficientemente rápido y tolera los cambios habituales de un proceso.</translation>
     </message>
     <message>
-        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <source>Calm: slow, and tolerant of large process changes.</source>
         <translation>Tranquilo: lento y tolera un proceso que cambia mucho.</translation>
     </message>
     <message>
@@ -6178,11 +6178,11 @@
         <translation>Un escalón de la consigna produce una sobreoscilación del {0}&#xa0;%.</translation>
     </message>
     <message>
-        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
-        <translation>Ziegler-Nichols está aquí para comparar: oscila y tolera poco. Tome en su lugar SIMC o el óptimo.</translation>
+        <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols está aquí para comparar: oscila y tolera pocos cambios. Use en su lugar SIMC o el óptimo.</translation>
     </message>
     <message>
-        <source>The rule looks at one lag only; check the margins.</source>
+        <source>The rule considers only one lag; check the margins.</source>
         <translation>La regla solo considera una constante de tiempo; compruebe los márgenes.</translation>
     </message>
     <message>
@@ -6330,15 +6330,15 @@
         <translation>No oscila.</translation>
     </message>
     <message>
-        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
     </message>
     <message>
-        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
         <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
     </message>
     <message>
-        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>La causa probable es externa: ni los ajustes ni una válvula que se atasca lo explican.</translation>
     </message>
     <message>
@@ -6350,19 +6350,19 @@
         <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
     </message>
     <message>
-        <source>the output did not answer: the controller was not in charge</source>
-        <translation>la salida no respondió: el regulador no tenía el control</translation>
+        <source>the output did not respond: the controller was not active</source>
+        <translation>la salida no respondió: el regulador no estaba activo</translation>
     </message>
     <message>
         <source>too short: not at rest again before the next change</source>
         <translation>demasiado corto: no se estabilizó antes del cambio siguiente</translation>
     </message>
     <message>
-        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
-        <translation>La grabación tiene {0} {0:perturbación|perturbaciones}, pero ningún escalón del que obtener un modelo; cambie una vez la consigna o la salida a mano y grábelo</translation>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
+        <translation>La grabación tiene {0} {0:perturbación|perturbaciones}, pero ningún escalón del que obtener un modelo; cambie una vez la consigna o la salida y grabe la respuesta</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>El cambio {0} es una perturbación: su causa es desconocida, por lo que no da un modelo; elija un cambio de la consigna o de la salida</translation>
     </message>
 </context>
@@ -6393,7 +6393,7 @@
         <translation>La tabla no tiene ninguna columna de números aparte del tiempo; añada una con encabezado</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
+        <source>The table has no rows below its headings; write one row per sample</source>
         <translation>La tabla no tiene filas bajo sus encabezados; escriba una fila por muestra</translation>
     </message>
     <message>
@@ -6405,20 +6405,20 @@
         <translation>los nombres de sus columnas no pueden ser variables; use letras, cifras y guiones bajos</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer section</source>
         <translation>{0} {0:muestra es|muestras son} muy pocas para un espectro; muestre un tramo más largo</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer section</source>
         <translation>{0} {0:muestra es|muestras son} muy pocas para una respuesta en frecuencia; muestre un tramo más largo</translation>
     </message>
     <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>La entrada no varía aquí; no hay ninguna respuesta que calcular</translation>
+        <source>The input does not change here, so there is no response; show another section</source>
+        <translation>La entrada no varía aquí, por lo que no hay respuesta; muestre otro tramo</translation>
     </message>
     <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} necesita un paréntesis de cierre al final; rodea toda la expresión</translation>
+        <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
+        <translation>{0} necesita un paréntesis de cierre al final; debe rodear toda la expresión</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -6519,7 +6519,7 @@
         <translation>Conectado con %1; su programa no es el que está abierto aquí</translation>
     </message>
     <message>
-        <source>%1 is lost – connecting again…</source>
+        <source>Connection to %1 lost – reconnecting…</source>
         <translation>Conexión con %1 perdida – reconectando…</translation>
     </message>
     <message>
@@ -6527,8 +6527,8 @@
         <translation>Conectando con %1…</translation>
     </message>
     <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>El controlador se ejecuta allí; lo que se escribe y fuerza aquí actúa allí</translation>
+        <source>The controller runs remotely; values written and forced here take effect there</source>
+        <translation>El controlador se ejecuta de forma remota; los valores escritos y forzados aquí actúan allí</translation>
     </message>
 </context>
 <context>
@@ -6558,7 +6558,7 @@
         <translation>Lo mismo en lista de instrucciones</translation>
     </message>
     <message>
-        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <source>Both give the same results. Replacing can be undone in one step; comments are kept, each above its statement.</source>
         <translation>Ambos dan los mismos resultados. El reemplazo se puede deshacer en un solo paso; los comentarios se quedan, cada uno sobre su instrucción.</translation>
     </message>
     <message>
@@ -6760,7 +6760,7 @@
         <translation>Archivo de solo lectura</translation>
     </message>
     <message>
-        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <source>%1 is read-only. Replace it anyway? It stays read-only.</source>
         <translation>%1 es de solo lectura. ¿Reemplazarlo de todos modos? Seguirá siendo de solo lectura.</translation>
     </message>
     <message>
@@ -6965,7 +6965,7 @@ No conservados: %3</translation>
         <translation>Leyendo %1…</translation>
     </message>
     <message>
-        <source>Becomes a project of its own, with the libraries it uses</source>
+        <source>Becomes a separate project with the libraries it uses</source>
         <translation>Pasa a ser un proyecto propio, con las bibliotecas que usa</translation>
     </message>
     <message>
@@ -6976,11 +6976,11 @@ No conservados: %3</translation>
 <context>
     <name>plc::app::InsideViews</name>
     <message>
-        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <source>Coverage of the latest %1 of %2 recorded scans</source>
         <translation>Cobertura de los %1 ciclos más recientes de %2 de la grabación</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Aún no hay ninguna grabación: ejecute primero el programa.</translation>
     </message>
     <message>
@@ -7006,7 +7006,7 @@ No conservados: %3</translation>
         <translation>Panel que se muestra</translation>
     </message>
     <message>
-        <source>Full screen (Esc ends it)</source>
+        <source>Full screen (Esc to exit)</source>
         <translation>Pantalla completa (Esc para salir)</translation>
     </message>
     <message>
@@ -7191,8 +7191,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Recuperación</translation>
     </message>
     <message>
-        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>El estudio terminó sin guardar. Se conservaron los cambios sin guardar de %1. ¿Restaurarlos?</translation>
+        <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
+        <translation>Stepwise se cerró sin guardar. Se conservaron los cambios sin guardar de %1. ¿Restaurarlos?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -7302,8 +7302,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El programa</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Texto estructurado con colores según el significado. Los errores se subrayan al escribir; Alt+Intro ofrece correcciones rápidas; Ctrl+Espacio completa.</translation>
+        <source>Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Texto estructurado con resaltado semántico. Los errores se subrayan al escribir; Alt+Intro ofrece correcciones rápidas; Control+Espacio completa.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -7322,8 +7322,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>La traza</translation>
     </message>
     <message>
-        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>No hubo que elegir nada de antemano: cada ciclo queda grabado, y después se puede hacer un gráfico de cualquier expresión.</translation>
+        <source>Nothing has to be selected in advance: every scan is recorded, and any expression can be charted afterwards.</source>
+        <translation>No hay que elegir nada de antemano: cada ciclo queda grabado, y después se puede hacer un gráfico de cualquier expresión.</translation>
     </message>
     <message>
         <source>The panel</source>
@@ -7343,7 +7343,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
-        <translation>Ctrl+Mayús+P encuentra cualquier comando. La página de inicio tiene más máquinas para probar.</translation>
+        <translation>Control+Mayúsculas+P encuentra cualquier comando. La página de inicio tiene más máquinas para probar.</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -7479,7 +7479,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Toggle Comment (Ctrl+/)</source>
-        <translation>Comentar o descomentar (Ctrl+/)</translation>
+        <translation>Comentar o descomentar (Control+/)</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -7658,7 +7658,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Abrir una grabación…</translation>
     </message>
     <message>
-        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <source>All values are from a recording file. Click to go back to the controller.</source>
         <translation>Todos los valores son de una grabación de un archivo. Un clic vuelve al controlador.</translation>
     </message>
     <message>
@@ -7773,8 +7773,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Cancelado: no se ha guardado nada</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 está escrito en %2 y se guarda tal como estaba</translation>
+        <source>%1 is encoded in %2 and will be saved in that encoding</source>
+        <translation>%1 está codificado en %2 y se guardará con esa codificación</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -7813,7 +7813,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>Speed of the controller; any factor can be typed:</source>
+        <source>Speed of the controller; any factor can be entered:</source>
         <translation>Velocidad del controlador; se puede escribir cualquier factor:</translation>
     </message>
     <message>
@@ -7833,7 +7833,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El proyecto se ha exportado</translation>
     </message>
     <message>
-        <source>Select the Next Occurrence Too</source>
+        <source>Add Next Occurrence to Selection</source>
         <translation>Seleccionar también la siguiente aparición</translation>
     </message>
     <message>
@@ -7889,8 +7889,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Abrir otro archivo al lado</translation>
     </message>
     <message>
-        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>%1 No se puede romper nada: la planta son solo números. Pulse Siguiente para un recorrido de un minuto, o F5 para arrancar ahora mismo.</translation>
+        <source>%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to run it straight away.</source>
+        <translation>%1 No se puede romper nada: la planta es solo una simulación. Pulse Siguiente para un recorrido de un minuto, o F5 para arrancar ahora mismo.</translation>
     </message>
     <message>
         <source>This is the project %1.</source>
@@ -7901,7 +7901,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Qué pulsar</translation>
     </message>
     <message>
-        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <source>The page next to the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
         <translation>La página junto al programa es el README del proyecto: qué muestra, qué pulsar y qué observar.</translation>
     </message>
     <message>
@@ -7910,7 +7910,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+        <translation>Arrastre el control de tiempo o pulse Control+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -8261,7 +8261,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Name</source>
@@ -8761,8 +8761,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Valores predeterminados</translation>
     </message>
     <message>
-        <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 pertenece ahora a «%2»; «%3» lo pierde.</translation>
+        <source>%1 is now assigned to “%2” instead of “%3”.</source>
+        <translation>%1 está ahora asignado a «%2» en lugar de «%3».</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -8962,8 +8962,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>¿Y si?</translation>
     </message>
     <message>
-        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
-        <translation>El controlador vuelve al ciclo que se muestra y sigue desde ahí con estos valores. La traza dibuja debajo lo que ocurrió antes.</translation>
+        <source>The controller goes back to the scan shown and continues from there with these values. The trace draws what really happened behind the new curves.</source>
+        <translation>El controlador vuelve al ciclo que se muestra y sigue desde ahí con estos valores. La traza dibuja detrás lo que ocurrió en realidad.</translation>
     </message>
     <message>
         <source>A variable, such as Main.level</source>
@@ -8990,7 +8990,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Valores que se cambian</translation>
     </message>
     <message>
-        <source>Run From Here</source>
+        <source>Run from Here</source>
         <translation>Ejecutar desde aquí</translation>
     </message>
     <message>
@@ -8998,7 +8998,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>%1 no tiene valor en este ciclo; elija otra variable</translation>
     </message>
     <message>
-        <source>Give at least one variable another value</source>
+        <source>Enter a different value for at least one variable</source>
         <translation>Dé otro valor al menos a una variable</translation>
     </message>
 </context>
@@ -9033,7 +9033,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Quitar todos</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <source>The running program has no code at or below this line; choose a line with a statement</source>
         <translation>El programa en marcha no tiene código en esta línea ni más abajo; elija una línea con una instrucción</translation>
     </message>
 </context>
@@ -9107,7 +9107,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>La POU %1 ya no está en el texto; deshaga el cambio o cierre esta vista</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>El texto tiene errores: este es el último dibujo correcto</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Vaciar</translation>
     </message>
     <message>
-        <source>Copy the selected rows, else all</source>
+        <source>Copy the selected rows, or all rows</source>
         <translation>Copiar las filas seleccionadas, o todas</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Copiar</translation>
     </message>
     <message>
-        <source>Only faults and refusals</source>
+        <source>Only faults and rejections</source>
         <translation>Solo errores y rechazos</translation>
     </message>
     <message>
@@ -9442,7 +9442,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Previous (Shift+Enter)</source>
-        <translation>Anterior (Mayús+Intro)</translation>
+        <translation>Anterior (Mayúsculas+Intro)</translation>
     </message>
     <message>
         <source>Next (Enter)</source>
@@ -9533,7 +9533,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Imprimir…</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
     </message>
 </context>
@@ -9545,27 +9545,27 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
+        <translation>Insertar un segmento debajo (Control+T)</translation>
     </message>
     <message>
         <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
+        <translation>Insertar un contacto a la izquierda (Control+K)</translation>
     </message>
     <message>
         <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
+        <translation>Insertar un contacto a la derecha (Control+D)</translation>
     </message>
     <message>
         <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
+        <translation>Insertar un contacto en paralelo (Control+R)</translation>
     </message>
     <message>
         <source>Insert a coil (Ctrl+A)</source>
-        <translation>Insertar una bobina (Ctrl+A)</translation>
+        <translation>Insertar una bobina (Control+A)</translation>
     </message>
     <message>
         <source>Insert a function block (Ctrl+B)</source>
-        <translation>Insertar un bloque de función (Ctrl+B)</translation>
+        <translation>Insertar un bloque de función (Control+B)</translation>
     </message>
     <message>
         <source>Edit (F2)</source>
@@ -9592,11 +9592,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>%1 ya no está en el texto; deshaga el cambio o cierre esta vista</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>El texto tiene errores: este es el último dibujo correcto</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
     </message>
     <message>
@@ -9812,8 +9812,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Renombrar la variable en todas partes</translation>
     </message>
     <message>
-        <source>Go to the declaration</source>
-        <translation>Ir a la declaración</translation>
+        <source>Go to the definition</source>
+        <translation>Ir a la definición</translation>
     </message>
     <message>
         <source>References to the variable</source>
@@ -9897,7 +9897,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El cambio espera al final del ciclo</translation>
     </message>
     <message>
-        <source>The program has errors; the controller goes on with the old one</source>
+        <source>The program has errors; the controller continues with the old program</source>
         <translation>El programa tiene errores; el controlador sigue con el anterior</translation>
     </message>
     <message>
@@ -9909,7 +9909,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Compilación</translation>
     </message>
     <message>
-        <source>Not optimised: the quick code goes on</source>
+        <source>Not optimised: the quick code keeps running</source>
         <translation>Sin optimizar: sigue el código compilado rápidamente</translation>
     </message>
     <message>
@@ -9928,7 +9928,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::editor::SlowScanView</name>
     <message>
-        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <source>Back to the previous breakpoint or to the first statement of the scan</source>
         <translation>Volver al punto de interrupción anterior o a la primera instrucción del ciclo</translation>
     </message>
     <message>
@@ -9956,7 +9956,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Paso a paso para salir</translation>
     </message>
     <message>
-        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <source>Forward to the next breakpoint or to the end of the scan</source>
         <translation>Seguir hasta el punto de interrupción siguiente o el final del ciclo</translation>
     </message>
     <message>
@@ -9964,8 +9964,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Terminar el recorrido</translation>
     </message>
     <message>
-        <source>Where the walk stands</source>
-        <translation>Dónde está el recorrido</translation>
+        <source>Current position of the walk</source>
+        <translation>Posición actual del recorrido</translation>
     </message>
     <message>
         <source>Call</source>
@@ -10176,8 +10176,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Respuesta a una perturbación</translation>
     </message>
     <message>
-        <source>Trial with the block itself</source>
-        <translation>Prueba con el propio bloque</translation>
+        <source>Simulation with the actual block</source>
+        <translation>Simulación con el bloque real</translation>
     </message>
     <message>
         <source>Control loop</source>
@@ -10188,7 +10188,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Buscar escalones</translation>
     </message>
     <message>
-        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <source>Searches the recording for steps of the set point and of the output and fits a model of the process.</source>
         <translation>Busca escalones de la consigna y de la salida en la grabación y crea un modelo del proceso.</translation>
     </message>
     <message>
@@ -10331,8 +10331,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Elija al menos un escalón.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process; choose another rule.</source>
-        <translation>La regla no tiene respuesta para este proceso; elija otra regla.</translation>
+        <source>The rule does not apply to this process; choose another rule.</source>
+        <translation>La regla no es aplicable a este proceso; elija otra regla.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10439,11 +10439,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Revertido: %1</translation>
     </message>
     <message>
-        <source>What the model leaves</source>
-        <translation>Lo que el modelo no explica</translation>
+        <source>Residuals of the model</source>
+        <translation>Residuos del modelo</translation>
     </message>
     <message>
-        <source>recorded less model</source>
+        <source>recorded minus model</source>
         <translation>grabado menos modelo</translation>
     </message>
     <message>
@@ -10503,7 +10503,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Respuestas</translation>
     </message>
     <message>
-        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <source>Start the controller or open a recording to search it for steps.</source>
         <translation>Inicie el controlador o abra una grabación; se buscarán escalones en ella.</translation>
     </message>
     <message>
@@ -10671,23 +10671,23 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Una variable o una expresión, por ejemplo Main.level &gt; 80</translation>
     </message>
     <message>
-        <source>What is asked about</source>
-        <translation>Sobre qué se pregunta</translation>
+        <source>Variable or expression to explain</source>
+        <translation>Variable o expresión que explicar</translation>
     </message>
     <message>
         <source>Why?</source>
         <translation>¿Por qué?</translation>
     </message>
     <message>
-        <source>What changed it, and what that needed</source>
-        <translation>Qué lo cambió y qué hizo falta para ello</translation>
+        <source>What changed it, and what had to hold</source>
+        <translation>Qué lo cambió y qué debía cumplirse</translation>
     </message>
     <message>
         <source>Why Not?</source>
         <translation>¿Por qué no?</translation>
     </message>
     <message>
-        <source>The smallest changes that would make the condition come out otherwise</source>
+        <source>The smallest changes that would change the result of the condition</source>
         <translation>Los cambios más pequeños que darían otro resultado a la condición</translation>
     </message>
     <message>
@@ -10711,11 +10711,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Haga clic con el botón derecho en una variable del texto, la supervisión, el árbol, la traza o un panel y pregunte por qué tiene su valor.</translation>
     </message>
     <message>
-        <source>Looking into the recorded scans…</source>
+        <source>Searching the recorded scans…</source>
         <translation>Examinando los ciclos grabados…</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Aún no hay ninguna grabación: ejecute primero el programa.</translation>
     </message>
     <message>
@@ -10744,8 +10744,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Do not wait for the answer (Esc)</source>
-        <translation>No esperar la respuesta (Esc)</translation>
+        <source>Cancel (Esc)</source>
+        <translation>Cancelar (Esc)</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>
@@ -11734,7 +11734,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1
 Click selects, Ctrl+click shows or hides.</source>
         <translation>%1
-Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
+Un clic selecciona, Control+clic muestra u oculta.</translation>
     </message>
 </context>
 <context>
@@ -12084,11 +12084,11 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Previous change of the variable (Ctrl+Left)</source>
-        <translation>Cambio anterior de la variable (Ctrl+Izquierda)</translation>
+        <translation>Cambio anterior de la variable (Control+Izquierda)</translation>
     </message>
     <message>
         <source>Next change of the variable (Ctrl+Right)</source>
-        <translation>Cambio siguiente de la variable (Ctrl+Derecha)</translation>
+        <translation>Cambio siguiente de la variable (Control+Derecha)</translation>
     </message>
     <message>
         <source>Resume the controller from this scan</source>
@@ -12195,7 +12195,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
-        <translation>Dos cursores (Ctrl+clic pone A, Mayús+clic pone B)</translation>
+        <translation>Dos cursores (Control+clic pone A, Mayúsculas+clic pone B)</translation>
     </message>
     <message>
         <source>Measure</source>

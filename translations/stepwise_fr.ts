@@ -72,12 +72,12 @@
         <translation>{0} n’est pas un port série&#x202f;; écrivez son chemin, par exemple /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} et {1} écoutent tous deux sur le port {2}&#x202f;; donnez un autre port à l’un d’eux</translation>
+        <source>{0} and {1} both listen on port {2}; change one of the ports</source>
+        <translation>{0} et {1} écoutent tous deux sur le port {2}&#x202f;; changez l’un d’eux</translation>
     </message>
     <message>
-        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
-        <translation>Les ports inférieurs à 1024 demandent des droits particuliers&#x202f;; un port comme 1502, non</translation>
+        <source>Ports below 1024 require special privileges; use a port such as 1502</source>
+        <translation>Les ports inférieurs à 1024 demandent des droits particuliers&#x202f;; utilisez un port tel que 1502</translation>
     </message>
     <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
@@ -120,7 +120,7 @@
         <translation>Seule une voie MQTT peut être de type STRING&#x202f;; utilisez un nombre ou BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <source>&quot;scale&quot; must not be 0; omit it for 1</source>
         <translation>«&#xa0;scale&#xa0;» ne doit pas être 0&#x202f;; omettez-le pour 1</translation>
     </message>
     <message>
@@ -132,7 +132,7 @@
         <translation>{0}&#xa0;: {1}</translation>
     </message>
     <message>
-        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <source>{0} has no variable yet; enter one, or have the addresses proposed (stepwise devices PROJECT --propose)</source>
         <translation>{0} n’a pas encore de variable&#x202f;; nommez-en une ou faites proposer les adresses (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
@@ -156,11 +156,11 @@
         <translation>{0} est une constante et ne peut pas être écrite&#x202f;; choisissez une variable</translation>
     </message>
     <message>
-        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <source>{0} reports the quality of the channel and must be a BOOL or an integer</source>
         <translation>{0} indique si la voie est valide et doit être un BOOL ou un entier</translation>
     </message>
     <message>
-        <source>{0} says whether the device answers and must be a BOOL</source>
+        <source>{0} reports whether the device responds and must be a BOOL</source>
         <translation>{0} indique si l’appareil répond et doit être un BOOL</translation>
     </message>
     <message>
@@ -168,15 +168,15 @@
         <translation>«&#xa0;onLoss&#xa0;»&#xa0;: «&#xa0;safe&#xa0;» demande la valeur dans «&#xa0;safe&#xa0;»</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the password in its first line</source>
-        <translation>{0} ne peut pas être lu&#x202f;; sa première ligne contient le mot de passe</translation>
+        <source>{0} cannot be read; its first line must be the password</source>
+        <translation>{0} ne peut pas être lu&#x202f;; sa première ligne doit être le mot de passe</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
-        <translation>{0} ne peut pas être lu&#x202f;; il contient les certificats de l’autorité (PEM)</translation>
+        <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
+        <translation>{0} ne peut pas être lu&#x202f;; il doit contenir les certificats de l’autorité (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <source>no response within {0} ms; check the cable, the address and the unit number</source>
         <translation>pas de réponse en {0}&#xa0;ms&#x202f;; vérifiez le câble, l’adresse et le numéro d’unité</translation>
     </message>
     <message>
@@ -184,11 +184,11 @@
         <translation>la connexion a été interrompue&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <source>the response does not match the request; check baud rate, parity and unit number</source>
         <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse, la parité et le numéro d’unité</translation>
     </message>
     <message>
-        <source>the device refuses {0} {1}: {2}</source>
+        <source>the device rejects {0} {1}: {2}</source>
         <translation>l’appareil refuse {0} {1}&#xa0;: {2}</translation>
     </message>
     <message>
@@ -200,23 +200,23 @@
         <translation>il n’a pas cette adresse&#x202f;; vérifiez l’adresse dans son manuel</translation>
     </message>
     <message>
-        <source>it does not take the value; check the range in its manual</source>
+        <source>it does not accept the value; check the range in its manual</source>
         <translation>il n’accepte pas la valeur&#x202f;; vérifiez la plage dans son manuel</translation>
     </message>
     <message>
-        <source>it failed; look at the device</source>
-        <translation>il a échoué&#x202f;; examinez l’appareil</translation>
+        <source>it reports a failure; check the device</source>
+        <translation>il signale une défaillance&#x202f;; vérifiez l’appareil</translation>
     </message>
     <message>
-        <source>it is busy; it is asked again</source>
-        <translation>il est occupé&#x202f;; il sera interrogé de nouveau</translation>
+        <source>it is busy; the request will be repeated</source>
+        <translation>il est occupé&#x202f;; la requête sera répétée</translation>
     </message>
     <message>
-        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
         <translation>la passerelle ne l’atteint pas&#x202f;; vérifiez le numéro d’unité et le câble derrière elle</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <source>cannot listen on {0}: {1}; choose another address or port</source>
         <translation>écoute impossible sur {0}&#xa0;: {1}&#x202f;; choisissez une autre adresse ou un autre port</translation>
     </message>
     <message>
@@ -228,11 +228,11 @@
         <translation>{0}&#xa0;: une valeur ne tient pas dans la variable&#x202f;; utilisez un type plus grand ou une échelle</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms; check the client and its address</source>
+        <source>no client has written for {0} ms; check the client and its address</source>
         <translation>aucun client n’a écrit depuis {0}&#xa0;ms&#x202f;; vérifiez le client et son adresse</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <source>the broker rejects the connection: {0}; check the user and the password</source>
         <translation>le broker refuse la connexion&#xa0;: {0}&#x202f;; vérifiez l’utilisateur et le mot de passe</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>Les appareils comportaient des erreurs lors de la compilation de l’automate&#x202f;; corrigez-les et recompilez</translation>
     </message>
     <message>
-        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <source>Set the speed to real time first; devices cannot follow any other speed</source>
         <translation>Réglez d’abord la vitesse sur le temps réel&#x202f;; les appareils ne peuvent pas en suivre une autre</translation>
     </message>
     <message>
@@ -1060,8 +1060,8 @@
         <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
     </message>
     <message>
-        <source>the variable is not forced</source>
-        <translation>la variable n’est pas forcée</translation>
+        <source>the variable is not forced; there is nothing to release</source>
+        <translation>la variable n’est pas forcée&#x202f;; il n’y a aucun forçage à lever</translation>
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
@@ -1400,16 +1400,16 @@
         <translation>Échec d’ASSERT&#xa0;: {0} ({1})</translation>
     </message>
     <message>
-        <source>A coil writes a variable.</source>
-        <translation>Une bobine écrit une variable.</translation>
+        <source>A coil writes a variable; enter the name of one.</source>
+        <translation>Une bobine écrit une variable&#x202f;; saisissez son nom.</translation>
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
         <translation>Une broche n’a pas de contacts&#x202f;; saisissez une expression.</translation>
     </message>
     <message>
-        <source>A rung cannot move into itself.</source>
-        <translation>Un réseau ne peut pas être déplacé dans lui-même.</translation>
+        <source>A rung cannot be moved into itself; choose a place outside it.</source>
+        <translation>Un réseau ne peut pas être déplacé dans lui-même&#x202f;; choisissez un emplacement à l’extérieur.</translation>
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
@@ -1480,16 +1480,16 @@
         <translation>Le réseau lit ce qu’il écrit&#x202f;; ajoutez cette bobine dans un réseau à part.</translation>
     </message>
     <message>
-        <source>There is no function block {0}.</source>
-        <translation>Le bloc fonctionnel {0} n’existe pas.</translation>
+        <source>There is no function block {0}; declare it or check the name.</source>
+        <translation>Il n’y a pas de bloc fonctionnel {0}&#x202f;; déclarez-le ou vérifiez le nom.</translation>
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
         <translation>Cette modification n’est pas possible dans le schéma&#x202f;; modifiez le texte.</translation>
     </message>
     <message>
-        <source>This has no operand.</source>
-        <translation>Ceci n’a pas d’opérande.</translation>
+        <source>This element has no operand; select a contact, a pin or a coil.</source>
+        <translation>Cet élément n’a pas d’opérande&#x202f;; sélectionnez un contact, une broche ou une bobine.</translation>
     </message>
     <message>
         <source>This is not a statement: {0}</source>
@@ -1688,7 +1688,7 @@
         <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2}&#x202f;; élargissez l’élément ou raccourcissez le texte</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
         <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2}&#x202f;; agrandissez l’élément en hauteur ou raccourcissez le texte</translation>
     </message>
     <message>
@@ -1972,8 +1972,8 @@
         <translation>Le projet n’a pas la langue {0}, les opérateurs ne voient donc jamais cette colonne&#x202f;; ajoutez-la aux langues dans project.json</translation>
     </message>
     <message>
-        <source>Nothing says what this does; give it a text, or place one beside it</source>
-        <translation>Rien n’indique à quoi cela sert&#x202f;; donnez-lui un texte, ou placez-en un à côté</translation>
+        <source>No text says what this does; add one, or place one next to it</source>
+        <translation>Aucun texte n’indique à quoi cela sert&#x202f;; ajoutez-en un, ou placez-en un à côté</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2012,12 +2012,12 @@
         <translation>Le programme n’a pas été compilé à partir de sources.</translation>
     </message>
     <message>
-        <source>The recording does not contain the program of this scan.</source>
-        <translation>L’enregistrement ne contient pas le programme de ce cycle.</translation>
+        <source>The recording does not contain the program of this scan; choose a later scan.</source>
+        <translation>L’enregistrement ne contient pas le programme de ce cycle&#x202f;; choisissez un cycle ultérieur.</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording.</source>
-        <translation>Ce cycle n’est plus dans l’enregistrement.</translation>
+        <source>This scan is no longer in the recording; choose a later scan.</source>
+        <translation>Ce cycle n’est plus dans l’enregistrement&#x202f;; choisissez un cycle ultérieur.</translation>
     </message>
     <message>
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
@@ -2028,8 +2028,8 @@
         <translation>L’utilisateur {0} n’existe pas&#x202f;; créez-le ou vérifiez le nom</translation>
     </message>
     <message>
-        <source>The password cannot be kept: {0}</source>
-        <translation>Le mot de passe ne peut pas être conservé&#xa0;: {0}</translation>
+        <source>The password cannot be saved: {0}</source>
+        <translation>Le mot de passe ne peut pas être enregistré&#xa0;: {0}</translation>
     </message>
     <message>
         <source>A password needs at least {0} characters; choose a longer one</source>
@@ -2048,8 +2048,8 @@
         <translation>La piste d’audit ne peut pas être lue&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
-        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc&#x202f;; ajoutez-en une</translation>
+        <source>The frame {0} has no panel area, so no panel is shown in it; add one</source>
+        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y est donc affichée&#x202f;; ajoutez-en une</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
@@ -2108,8 +2108,8 @@
         <translation>La règle {0} n’existe pas&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>The rule stays on until a text says why it is off</source>
-        <translation>La règle reste active tant qu’un texte ne dit pas pourquoi elle est désactivée</translation>
+        <source>The rule stays on until a reason for switching it off is given</source>
+        <translation>La règle reste active tant qu’aucune raison de la désactiver n’est donnée</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2124,20 +2124,20 @@
         <translation>La valeur doit être un objet avec un niveau, la distance et les règles désactivées</translation>
     </message>
     <message>
-        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
-        <translation>La couleur {0} est visible en permanence, quoi qu’il arrive&#x202f;; utilisez {1}</translation>
+        <source>The colour {0} is always visible, whatever the state; use {1}</source>
+        <translation>La couleur {0} est toujours visible, quel que soit l’état&#x202f;; utilisez {1}</translation>
     </message>
     <message>
-        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
-        <translation>{0} est une couleur d’alarme, mais elle est visible quand tout est normal&#x202f;; utilisez {1}</translation>
+        <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
+        <translation>{0} est une couleur d’alarme, mais elle est visible en fonctionnement normal&#x202f;; utilisez {1}</translation>
     </message>
     <message>
-        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
         <translation>Seule la teinte distingue {0} de {1}&#x202f;; choisissez-en une plus claire, ou ajoutez un texte ou un clignotement</translation>
     </message>
     <message>
-        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Rien n’indique ce que signifie le voyant&#x202f;; donnez-lui un libellé ou placez un texte à côté</translation>
+        <source>No text says what the lamp means; give it a label, or place a text next to it</source>
+        <translation>Aucun texte n’indique ce que signifie le voyant&#x202f;; donnez-lui un libellé ou placez un texte à côté</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2152,16 +2152,16 @@
         <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2} mm, il faut {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici qu’un doigt ne trouve que {0}&#xa0;px où appuyer&#x202f;; il faut {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
+        <translation>La vue d’objet est si petite ici qu’il ne reste que {0} px pour un doigt&#x202f;; il faut {1} px</translation>
     </message>
     <message>
-        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté des éléments voisins&#x202f;; il faut {2}&#xa0;px dans les deux sens</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2} px dans les deux sens</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
-        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}&#x202f;; déplacez-en vers une autre vue</translation>
+        <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
+        <translation>La vue affiche {0} valeurs et commandes&#x202f;; le maximum pour sa taille est {1}&#x202f;; déplacez-en vers une autre vue</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2172,19 +2172,19 @@
         <translation>Rien sur la vue {0} ne ramène en arrière&#x202f;; ajoutez un bouton avec l’action back ou home, ou une barre de navigation</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <source>{0} is in a different place on the panel {1}; put it in the same place on both</source>
         <translation>{0} est à un autre endroit sur la vue {1}&#x202f;; placez-le au même endroit sur les deux</translation>
     </message>
     <message>
-        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Ce qui est normal est gris, pour que l’œil trouve ce qui ne l’est pas (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur qu’aux états.</translation>
+        <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Les états normaux sont gris, pour que les états anormaux ressortent (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur qu’aux états.</translation>
     </message>
     <message>
-        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
         <translation>Le rouge, l’orange et le jaune sont réservés aux alarmes. Un opérateur qui les voit toute la journée ne les voit plus quand elles comptent (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
         <translation>Un texte demande un contraste de 4,5 pour 1 avec son fond, un grand texte 3 pour 1 (WCAG 2, ISO 9241-303). Les rôles du thème le garantissent dans tous les thèmes.</translation>
     </message>
     <message>
@@ -2192,36 +2192,36 @@
         <translation>Une majuscule doit être vue sous un angle d’au moins 16 minutes (ISO 9241-303). La distance et la taille d’un pixel sont définies dans project.json.</translation>
     </message>
     <message>
-        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Une vue qui affiche tout se fouille, elle ne se lit pas. Déplacez les détails vers une vue du niveau suivant (ISA-101).</translation>
+        <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
+        <translation>Sur une vue qui affiche tout, l’opérateur doit chercher. Déplacez les détails vers une vue du niveau suivant (ISA-101).</translation>
     </message>
     <message>
-        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
         <translation>En situation anormale, chaque vue devrait être à trois appuis au plus, avec un chemin de retour (ISA-101).</translation>
     </message>
     <message>
-        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
         <translation>Ce qui figure sur plusieurs vues se trouve sans regarder si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
     </message>
     <message>
-        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
-        <translation>L’un couvre l’autre&#xa0;: un texte n’est plus lisible, ou un appui touche le mauvais élément.</translation>
+        <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
+        <translation>Un élément en couvre un autre&#xa0;: un texte n’est plus lisible, ou un appui touche le mauvais élément.</translation>
     </message>
     <message>
-        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
-        <translation>On croirait qu’il affiche ou fait quelque chose. Liez-le à une variable ou supprimez-le.</translation>
+        <source>The element looks as if it had a function. Bind it to a variable, or remove it.</source>
+        <translation>L’élément semble avoir une fonction. Liez-le à une variable ou supprimez-le.</translation>
     </message>
     <message>
-        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
         <translation>Un doigt qui glisse envoie 500 au lieu de 50. Des limites le refusent à la saisie.</translation>
     </message>
     <message>
-        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
-        <translation>Une alarme que personne ne voit n’en est pas une. Placez un bandeau d’alarmes sur le cadre ou une liste d’alarmes sur une vue (ISA-18.2).</translation>
+        <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>Une alarme que personne ne voit est inutile. Placez un bandeau d’alarmes sur le cadre ou une liste d’alarmes sur une vue (ISA-18.2).</translation>
     </message>
     <message>
-        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
-        <translation>Une alarme demande une action de l’opérateur. Son aide dit laquelle, et ce qui arrive sinon (ISA-18.2).</translation>
+        <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
+        <translation>Une alarme demande une action de l’opérateur. Son aide doit indiquer laquelle, et ce qui arrive sinon (ISA-18.2).</translation>
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
@@ -2240,8 +2240,8 @@
         <translation>«&#xa0;memoryForNew&#xa0;» dans project.json est un nombre d’octets de 0 à {0}</translation>
     </message>
     <message>
-        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
-        <translation>Un doigt demande 7 mm dans les deux sens entre les éléments voisins, 9 mm avec un gant, ce qu’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
+        <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
+        <translation>Un doigt demande 7 mm dans les deux sens, 9 mm avec un gant, comme l’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2252,15 +2252,15 @@
         <translation>N’importe quel nombre peut être écrit dans {0}&#x202f;; définissez «&#xa0;{1}&#xa0;»</translation>
     </message>
     <message>
-        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
         <translation>Un homme sur douze ne distingue pas certaines couleurs, et une lumière vive les efface. Affichez la même chose par un texte, une forme, un clignotement ou au moins une autre luminosité.</translation>
     </message>
     <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Ce que seuls certains peuvent faire, ou ce que project.json déclare critique, ne doit pas se produire par un contact accidentel. Activez «&#xa0;Les écritures sont confirmées&#xa0;» ou saisissez une question.</translation>
+        <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Une écriture réservée à certains rôles, ou que project.json déclare critique, ne doit pas être déclenchée par un contact accidentel. Activez «&#xa0;Les écritures sont confirmées&#xa0;» ou saisissez une question.</translation>
     </message>
     <message>
-        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
         <translation>Seul {1} peut écrire {0}, mais aucune confirmation n’est demandée&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
     </message>
     <message>
@@ -2700,11 +2700,11 @@
         <translation>Le projet a {0} {0:alarme|alarmes}, mais aucune vue n’a de liste ni de bandeau d’alarmes&#x202f;; ajoutez-en un</translation>
     </message>
     <message>
-        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} est critique d’après project.json, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
     </message>
     <message>
-        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} masque des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
     </message>
     <message>
@@ -2712,7 +2712,7 @@
         <translation>La vue de départ a {0} éléments de commande, mais aucun texte ne dit sur quoi appuyer quand rien ne bouge&#x202f;; ajoutez une phrase, ou un texte d’état qui nomme un élément de commande</translation>
     </message>
     <message>
-        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue que l’on voit en premier doit dire sur quoi appuyer&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
     </message>
 </context>
@@ -2739,7 +2739,7 @@
         <translation>Station de lavage avec recettes</translation>
     </message>
     <message>
-        <source>Room heated by supply air</source>
+        <source>Room heating with supply air</source>
         <translation>Local chauffé par air soufflé</translation>
     </message>
     <message>
@@ -2779,11 +2779,11 @@
         <translation>Compteur horaire</translation>
     </message>
     <message>
-        <source>Items per hour</source>
+        <source>Hourly production</source>
         <translation>Pièces par heure</translation>
     </message>
     <message>
-        <source>Items and meters</source>
+        <source>Item counter and meters</source>
         <translation>Pièces et compteurs</translation>
     </message>
     <message>
@@ -2803,7 +2803,7 @@
         <translation>Mélangeur, liquides et briques</translation>
     </message>
     <message>
-        <source>Motor with self-holding</source>
+        <source>Motor with latching</source>
         <translation>Moteur avec auto-maintien</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Modulation de largeur d’impulsion</translation>
     </message>
     <message>
-        <source>Rack with a robot</source>
+        <source>Storage rack with a robot</source>
         <translation>Rayonnage avec robot</translation>
     </message>
     <message>
@@ -2831,11 +2831,11 @@
         <translation>Robot et machine CNC</translation>
     </message>
     <message>
-        <source>Robot that packs boxes</source>
+        <source>Packing robot with camera inspection</source>
         <translation>Robot qui remplit des cartons</translation>
     </message>
     <message>
-        <source>Two level sensors that watch each other</source>
+        <source>Two redundant level sensors</source>
         <translation>Deux capteurs de niveau comparés</translation>
     </message>
     <message>
@@ -2843,7 +2843,7 @@
         <translation>Station de pompage à six pompes</translation>
     </message>
     <message>
-        <source>Motor with selector</source>
+        <source>Motor with selector switch</source>
         <translation>Moteur avec sélecteur</translation>
     </message>
     <message>
@@ -2851,11 +2851,11 @@
         <translation>Pile d’entiers</translation>
     </message>
     <message>
-        <source>Tank that is filled, heated and emptied</source>
+        <source>Tank with filling, heating and emptying</source>
         <translation>Cuve remplie, chauffée et vidée</translation>
     </message>
     <message>
-        <source>Tank, operated by hand</source>
+        <source>Manually operated tank</source>
         <translation>Cuve en mode manuel</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@
         <translation>Trois types de vannes</translation>
     </message>
     <message>
-        <source>Pump in waves</source>
+        <source>Pump control with waves</source>
         <translation>Pompe dans les vagues</translation>
     </message>
     <message>
@@ -2891,7 +2891,7 @@
         <translation>Cuve via Modbus</translation>
     </message>
     <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <source>A vehicle between two limit switches, controlled by two linked sequential function charts</source>
         <translation>Un véhicule entre deux fins de course, commandé par deux grafcets liés</translation>
     </message>
     <message>
@@ -2907,7 +2907,7 @@
         <translation>Remplisseuse, boucheuse et étiqueteuse avec tampons, pilotées selon PackML</translation>
     </message>
     <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
+        <source>A robot parks cars by number plate and retrieves them again</source>
         <translation>Un robot gare les voitures d’après leur plaque et va les rechercher</translation>
     </message>
     <message>
@@ -2943,7 +2943,7 @@
         <translation>La perte de charge indique l’encrassement d’un filtre&#x202f;; hors plage, une alarme</translation>
     </message>
     <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
         <translation>Silo, trémie, convoyeur et camion, commandés par trois grafcets en parallèle</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@
         <translation>Deux commandes tout ou rien&#xa0;: un chauffage avec consigne et une vanne liée à une alarme</translation>
     </message>
     <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
         <translation>Un compteur horaire chargé, validé et arrêté, ce qui dessine une dent de scie</translation>
     </message>
     <message>
@@ -2963,11 +2963,11 @@
         <translation>Compte les pièces, l’énergie et l’eau&#x202f;; tout survit à une coupure de courant</translation>
     </message>
     <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
         <translation>Un capteur de niveau de 4 à 20 mA, trois voyants et la détection de rupture de fil</translation>
     </message>
     <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <source>Three machine signals on three lamps that flash or stay on</source>
         <translation>Trois signaux d’une machine sur trois voyants, fixes ou clignotants</translation>
     </message>
     <message>
@@ -2979,8 +2979,8 @@
         <translation>Les liquides sont pesés, un convoyeur amène deux briques, puis le mélangeur tourne et bascule</translation>
     </message>
     <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Marche, arrêt et un contacteur à auto-maintien, écrits de quatre façons équivalentes</translation>
+        <source>Start, stop and a latching contactor, written in five ways that agree</source>
+        <translation>Marche, arrêt et un contacteur à auto-maintien, écrits de cinq façons équivalentes</translation>
     </message>
     <message>
         <source>The local control box or the panel: one block decides which of them is in control</source>
@@ -2991,23 +2991,23 @@
         <translation>Le même procédé avec et sans régulateur PID, côte à côte sur une trace</translation>
     </message>
     <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <source>One filter, two sines: the slow one passes, the fast one is attenuated and delayed</source>
         <translation>Un filtre, deux sinus&#xa0;: le lent passe, le rapide est atténué et déphasé</translation>
     </message>
     <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <source>A pump tries its speeds and keeps the one with the least energy per cubic metre</source>
         <translation>Une pompe essaie ses vitesses et garde la plus économe par mètre cube</translation>
     </message>
     <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <source>Two alternating pumps; a float switch is accepted only after two steady seconds</source>
         <translation>Deux pompes alternent&#x202f;; un flotteur ne compte qu’après deux secondes stables</translation>
     </message>
     <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <source>A sine becomes pulses for two outputs, as for a motor with two directions</source>
         <translation>Un sinus devient des impulsions sur deux sorties, comme pour un moteur à deux sens</translation>
     </message>
     <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <source>A robot counts encoder pulses to store and retrieve loads in twelve locations</source>
         <translation>Un robot compte les impulsions des codeurs pour ranger des charges dans douze cases</translation>
     </message>
     <message>
@@ -3019,11 +3019,11 @@
         <translation>Un robot met trois pièces dans chaque carton&#x202f;; une caméra contrôle le résultat</translation>
     </message>
     <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <source>Two sensors are compared; a faulty one is replaced with the healthy one without a jump</source>
         <translation>Deux capteurs comparés&#x202f;; l’un remplace sans à-coup l’autre s’il est en défaut</translation>
     </message>
     <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
         <translation>Six pompes mises en marche selon le niveau et les heures, au rythme d’une ville</translation>
     </message>
     <message>
@@ -3035,11 +3035,11 @@
         <translation>Dernier entré, premier sorti&#xa0;: push, pop et reset, en ST et en liste d’instructions</translation>
     </message>
     <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <source>The same sequence twice: with CASE and as a sequential function chart; either can be in control</source>
         <translation>La même séquence deux fois&#xa0;: avec CASE et en grafcet&#x202f;; chacune peut commander</translation>
     </message>
     <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <source>Fill, empty and stir with three switches; two level switches prevent operating errors</source>
         <translation>Remplir, vider et agiter avec trois interrupteurs&#x202f;; deux détecteurs évitent les erreurs</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>Un courant de 4 à 20 mA devient un niveau, et le niveau un volume</translation>
     </message>
     <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <source>Red, yellow and green from one seconds counter, written in three ways</source>
         <translation>Rouge, orange et vert à partir d’un compteur de secondes, de trois façons</translation>
     </message>
     <message>
@@ -3059,15 +3059,15 @@
         <translation>Une vanne motorisée, une à rappel par ressort et une de régulation, chacune avec son bloc</translation>
     </message>
     <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <source>A float switch in waves: the pump starts and stops only after five steady seconds</source>
         <translation>Un flotteur dans les vagues&#xa0;: la pompe ne commute qu’après cinq secondes stables</translation>
     </message>
     <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <source>Four BCD digits become the net weight once the scale has settled</source>
         <translation>Quatre chiffres BCD donnent le poids net dès que la balance est stable</translation>
     </message>
     <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <source>Language samples on four pages, each a separate program with a test</source>
         <translation>Exemples du langage sur quatre pages, chacun un programme avec son test</translation>
     </message>
     <message>
@@ -3170,11 +3170,11 @@
         <translation>Un commentaire hors des éléments a été omis&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin&#x202f;; écrivez son corps en ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
         <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
     </message>
     <message>
@@ -3182,31 +3182,31 @@
         <translation>La transition {0} n’est pas une expression unique et n’a pas été lue&#x202f;; écrivez sa condition dans le texte</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
+        <source>PLCopen XML does not support panels; they were left out</source>
         <translation>PLCopen XML ne prend pas en charge les vues&#x202f;; elles ont été omises</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
+        <source>PLCopen XML does not support traces; they were left out</source>
         <translation>PLCopen XML ne prend pas en charge les traces&#x202f;; elles ont été omises</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
+        <source>PLCopen XML does not support tests; they were left out</source>
         <translation>PLCopen XML ne prend pas en charge les tests&#x202f;; ils ont été omis</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <source>PLCopen XML does not support tests; the TEST &apos;{0}&apos; was left out</source>
         <translation>PLCopen XML ne prend pas en charge les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
         <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
+        <source>PLCopen XML does not support USING; it was left out</source>
         <translation>PLCopen XML ne prend pas en charge USING&#x202f;; il a été omis</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <source>PLCopen XML does not support the name of the transition {0}; it was left out</source>
         <translation>PLCopen XML ne prend pas en charge le nom de la transition {0}&#x202f;; il a été omis</translation>
     </message>
     <message>
@@ -3238,23 +3238,23 @@
         <translation>La version 0201 n’a pas le type {0}&#x202f;; les autres outils ne le connaîtront pas</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <source>Version 0201 does not support the pragma {0} of a step; it was left out</source>
         <translation>La version 0201 ne prend pas en charge le pragma {0} d’une étape&#x202f;; il a été omis</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <source>Version 0201 does not support {0} of a task; it was left out</source>
         <translation>La version 0201 ne prend pas en charge {0} d’une tâche&#x202f;; il a été omis</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <source>Version 0201 does not support the connections of the program {0}; they were left out</source>
         <translation>La version 0201 ne prend pas en charge les connexions du programme {0}&#x202f;; elles ont été omises</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <source>Version 0201 does not support libraries; {0} was left out</source>
         <translation>La version 0201 ne prend pas en charge les bibliothèques&#x202f;; {0} a été omis</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <source>The file is not a program source and was left out; import it separately if it is one</source>
         <translation>Le fichier n’est pas une source de programme et a été omis&#x202f;; importez-le seul s’il en est une</translation>
     </message>
     <message>
@@ -3262,7 +3262,7 @@
         <translation>Le réseau «&#xa0;{0}&#xa0;» est mis en commentaire dans le diagramme et a été omis du texte</translation>
     </message>
     <message>
-        <source>Types that {0} has by itself are declared here</source>
+        <source>Types that are predefined in {0} are declared here</source>
         <translation>Les types que {0} possède de lui-même sont déclarés ici</translation>
     </message>
     <message>
@@ -3270,19 +3270,19 @@
         <translation>{0} compte %MW1 en mots&#x202f;; «&#xa0;addressing&#xa0;» dans project.json dit la même chose</translation>
     </message>
     <message>
-        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
         <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer&#x202f;; déplacez-la à un multiple de sa taille</translation>
     </message>
     <message>
-        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
         <translation>{0} agit hors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties et ne fait rien</translation>
     </message>
     <message>
-        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
         <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans {0} devant</translation>
     </message>
     <message>
-        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
         <translation>Stepwise possède lui-même les noms de la bibliothèque {0}&#x202f;; ils sont écrits sans {0} devant</translation>
     </message>
     <message>
@@ -3294,7 +3294,7 @@
         <translation>Le fichier est vide&#x202f;; exportez-le de nouveau</translation>
     </message>
     <message>
-        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <source>This is a ZIP archive despite its name; extract it and import the folder</source>
         <translation>C’est une archive ZIP, quel que soit son nom&#x202f;; décompressez-la et importez le dossier</translation>
     </message>
     <message>
@@ -3325,15 +3325,15 @@
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Un tracé XY dessine une voie en fonction d’une autre&#xa0;: ajoutez une deuxième voie à la trace.</translation>
+        <source>An XY plot draws one channel against another: add a second channel to the trace.</source>
+        <translation>Un tracé XY affiche une voie en fonction d’une autre&#xa0;: ajoutez une deuxième voie à la trace.</translation>
     </message>
     <message>
         <source>XY plot</source>
         <translation>Tracé XY</translation>
     </message>
     <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
+        <source>There are no samples in view: run the program or show another section.</source>
         <translation>Aucun échantillon dans la zone visible&#xa0;: exécutez le programme ou affichez une autre plage.</translation>
     </message>
     <message>
@@ -3389,7 +3389,7 @@
         <translation>%1&#xa0;: %L2 fréquences sur %L3 avec une cohérence supérieure à 0,8</translation>
     </message>
     <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <source>Runs are overlaid at their triggers: enter a trigger in the properties of the trace.</source>
         <translation>Les exécutions sont superposées à leur déclenchement&#xa0;: saisissez un déclencheur dans les propriétés de la trace.</translation>
     </message>
     <message>
@@ -3397,7 +3397,7 @@
         <translation>Le déclencheur ne s’est pas encore déclenché dans cet enregistrement.</translation>
     </message>
     <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <source>The runs of the visible channels are overlaid: add a channel.</source>
         <translation>Les exécutions des voies visibles sont superposées&#xa0;: ajoutez une voie.</translation>
     </message>
     <message>
@@ -3723,7 +3723,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Genre</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Group</source>
@@ -5168,7 +5168,7 @@
         <translation>écrit par {0}  {1} ({2})</translation>
     </message>
     <message>
-        <source>set by what the compiler adds ({0})</source>
+        <source>set by code that the compiler adds ({0})</source>
         <translation>écrit par ce que le compilateur ajoute ({0})</translation>
     </message>
     <message>
@@ -5216,8 +5216,8 @@
         <translation>écrit par une instruction d’un test</translation>
     </message>
     <message>
-        <source>not known who set it</source>
-        <translation>auteur inconnu</translation>
+        <source>origin not known</source>
+        <translation>origine inconnue</translation>
     </message>
     <message>
         <source>the command line</source>
@@ -5364,7 +5364,7 @@
         <translation>{0}   {1}</translation>
     </message>
     <message>
-        <source>its time of {0} is over</source>
+        <source>its time of {0} has elapsed</source>
         <translation>son temps de {0} est écoulé</translation>
     </message>
     <message>
@@ -5416,7 +5416,7 @@
         <translation>des valeurs ont été écrites pendant l’arrêt à un point d’arrêt</translation>
     </message>
     <message>
-        <source>the scan had another result when it was run again</source>
+        <source>the scan had a different result when it was run again</source>
         <translation>le cycle a donné un autre résultat lors de sa réexécution</translation>
     </message>
     <message>
@@ -6024,15 +6024,15 @@
         <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
     </message>
     <message>
-        <source>{0} is not forced</source>
-        <translation>{0} n’est pas forcé</translation>
+        <source>{0} is not forced; there is nothing to release</source>
+        <translation>{0} n’est pas forcé&#x202f;; il n’y a aucun forçage à lever</translation>
     </message>
     <message>
         <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
         <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
     </message>
     <message>
@@ -6040,12 +6040,12 @@
         <translation>Le programme de l’automate n’a pas de fichier {0}&#x202f;; rechargez son programme</translation>
     </message>
     <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>Un enregistrement est déjà en cours de récupération&#x202f;; attendez qu’il soit arrivé</translation>
+        <source>A recording is already being downloaded; wait until it is complete</source>
+        <translation>Un enregistrement est déjà en cours de téléchargement&#x202f;; attendez qu’il soit complet</translation>
     </message>
     <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Un automate qui en sert d’autres ne peut pas être ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
+        <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
+        <translation>Un automate exécuté en service ne peut pas reprendre à partir d’un cycle antérieur&#x202f;; téléchargez son enregistrement et reprenez à partir de là</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6056,7 +6056,7 @@
         <translation>{0} est injoignable&#xa0;: {1}</translation>
     </message>
     <message>
-        <source>{0} refuses the connection: {1}</source>
+        <source>{0} rejects the connection: {1}</source>
         <translation>{0} refuse la connexion&#xa0;: {1}</translation>
     </message>
     <message>
@@ -6068,8 +6068,8 @@
         <translation>Trop de codes faux depuis cet ordinateur&#x202f;; attendez une minute</translation>
     </message>
     <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>Le code traverserait le réseau sans protection&#x202f;; utilisez une adresse https et démarrez l’automate avec --certificate</translation>
+        <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
+        <translation>Le code serait envoyé sur le réseau sans chiffrement&#x202f;; utilisez une adresse https et démarrez l’automate avec --certificate</translation>
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
@@ -6130,11 +6130,11 @@
         <translation>perturbé&#xa0;: aucun modèle n’en explique plus de {0}&#xa0;%</translation>
     </message>
     <message>
-        <source>usable; it was still moving before</source>
-        <translation>utilisable&#x202f;; elle bougeait encore avant</translation>
+        <source>usable; not at rest before it</source>
+        <translation>utilisable&#x202f;; pas au repos avant</translation>
     </message>
     <message>
-        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
         <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie en manuel et enregistrez cela</translation>
     </message>
     <message>
@@ -6142,31 +6142,31 @@
         <translation>Aucun des {0} changements trouvés n’est utilisable&#xa0;: {1}</translation>
     </message>
     <message>
-        <source>No model explains what the output does; something else moves it</source>
+        <source>No model explains the output; something else affects it</source>
         <translation>Aucun modèle n’explique le comportement de la sortie&#x202f;; autre chose la fait bouger</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process; choose another one</source>
-        <translation>La règle {0} n’a pas de réponse pour ce procédé&#x202f;; choisissez-en une autre</translation>
+        <source>The rule {0} does not apply to this process; choose another one</source>
+        <translation>La règle {0} ne s’applique pas à ce procédé&#x202f;; choisissez-en une autre</translation>
     </message>
     <message>
-        <source>Unstable: the loop would swing up. Do not use this.</source>
-        <translation>Instable&#xa0;: la boucle entrerait en oscillation croissante. À ne pas utiliser.</translation>
+        <source>Unstable: the oscillation would grow. Do not use these settings.</source>
+        <translation>Instable&#xa0;: l’oscillation augmenterait. Ne pas utiliser ces paramètres.</translation>
     </message>
     <message>
-        <source>Fragile: a small change of the process makes it swing.</source>
+        <source>Fragile: a small change of the process makes it oscillate.</source>
         <translation>Fragile&#xa0;: un petit changement du procédé la fait osciller.</translation>
     </message>
     <message>
-        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
         <translation>Vif&#xa0;: rapide, avec une légère oscillation&#x202f;; le procédé ne doit pas beaucoup changer.</translation>
     </message>
     <message>
-        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <source>Good: fast enough, and tolerant of the usual process changes.</source>
         <translation>Bon&#xa0;: assez rapide, et tolère les changements habituels d’un procédé.</translation>
     </message>
     <message>
-        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <source>Calm: slow, and tolerant of large process changes.</source>
         <translation>Calme&#xa0;: lent, et tolère un procédé qui change beaucoup.</translation>
     </message>
     <message>
@@ -6178,11 +6178,11 @@
         <translation>Un échelon de consigne provoque un dépassement de {0}&#xa0;%.</translation>
     </message>
     <message>
-        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
-        <translation>Ziegler-Nichols sert ici à comparer&#xa0;: il oscille et tolère peu. Prenez plutôt SIMC ou l’optimum.</translation>
+        <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols sert ici de comparaison&#xa0;: elle oscille et tolère peu de changements. Utilisez plutôt SIMC ou l’optimum.</translation>
     </message>
     <message>
-        <source>The rule looks at one lag only; check the margins.</source>
+        <source>The rule considers only one lag; check the margins.</source>
         <translation>La règle ne tient compte que d’une seule constante de temps&#x202f;; vérifiez les marges.</translation>
     </message>
     <message>
@@ -6330,15 +6330,15 @@
         <translation>N’oscille pas.</translation>
     </message>
     <message>
-        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
     </message>
     <message>
-        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
         <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
     </message>
     <message>
-        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>La cause probable est extérieure&#xa0;: ni les paramètres ni une vanne qui colle ne l’expliquent.</translation>
     </message>
     <message>
@@ -6350,19 +6350,19 @@
         <translation>{0}&#xa0;% du comportement de la valeur mesurée est du bruit.</translation>
     </message>
     <message>
-        <source>the output did not answer: the controller was not in charge</source>
-        <translation>la sortie n’a pas répondu&#xa0;: le régulateur n’avait pas la main</translation>
+        <source>the output did not respond: the controller was not active</source>
+        <translation>la sortie n’a pas réagi&#xa0;: le régulateur n’était pas actif</translation>
     </message>
     <message>
         <source>too short: not at rest again before the next change</source>
         <translation>trop court&#xa0;: pas encore stabilisé avant le changement suivant</translation>
     </message>
     <message>
-        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
-        <translation>L’enregistrement contient {0} {0:perturbation|perturbations}, mais aucun échelon dont on puisse tirer un modèle&#x202f;; changez une fois la consigne ou la sortie à la main et enregistrez-le</translation>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
+        <translation>L’enregistrement contient {0} {0:perturbation|perturbations}, mais aucun échelon dont on puisse tirer un modèle&#x202f;; changez une fois la consigne ou la sortie et enregistrez la réponse</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle&#x202f;; choisissez une variation de la consigne ou de la sortie</translation>
     </message>
 </context>
@@ -6393,7 +6393,7 @@
         <translation>Le tableau n’a pas de colonne de nombres en dehors du temps&#x202f;; ajoutez-en une avec un en-tête</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
+        <source>The table has no rows below its headings; write one row per sample</source>
         <translation>Le tableau n’a pas de lignes sous ses en-têtes&#x202f;; écrivez une ligne par échantillon</translation>
     </message>
     <message>
@@ -6405,20 +6405,20 @@
         <translation>les noms de ses colonnes ne peuvent pas être des variables&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer section</source>
         <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour un spectre&#x202f;; affichez une plage plus longue</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer section</source>
         <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour une réponse en fréquence&#x202f;; affichez une plage plus longue</translation>
     </message>
     <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>L’entrée ne varie pas ici&#x202f;; il n’y a pas de réponse à calculer</translation>
+        <source>The input does not change here, so there is no response; show another section</source>
+        <translation>L’entrée ne varie pas ici, il n’y a donc pas de réponse&#x202f;; affichez une autre section</translation>
     </message>
     <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle entoure toute l’expression</translation>
+        <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
+        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle doit entourer toute l’expression</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -6519,7 +6519,7 @@
         <translation>Connecté à %1&#x202f;; son programme n’est pas celui qui est ouvert ici</translation>
     </message>
     <message>
-        <source>%1 is lost – connecting again…</source>
+        <source>Connection to %1 lost – reconnecting…</source>
         <translation>Connexion à %1 perdue – reconnexion…</translation>
     </message>
     <message>
@@ -6527,8 +6527,8 @@
         <translation>Connexion à %1…</translation>
     </message>
     <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>L’automate s’exécute là-bas&#x202f;; ce qui est écrit et forcé ici agit là-bas</translation>
+        <source>The controller runs remotely; values written and forced here take effect there</source>
+        <translation>L’automate s’exécute à distance&#x202f;; les valeurs écrites et forcées ici agissent là-bas</translation>
     </message>
 </context>
 <context>
@@ -6558,7 +6558,7 @@
         <translation>L’équivalent en liste d’instructions</translation>
     </message>
     <message>
-        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <source>Both give the same results. Replacing can be undone in one step; comments are kept, each above its statement.</source>
         <translation>Les deux donnent les mêmes résultats. Le remplacement peut être annulé en une seule étape&#x202f;; les commentaires restent, chacun au-dessus de son instruction.</translation>
     </message>
     <message>
@@ -6760,7 +6760,7 @@
         <translation>Fichier en lecture seule</translation>
     </message>
     <message>
-        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <source>%1 is read-only. Replace it anyway? It stays read-only.</source>
         <translation>%1 est en lecture seule. Le remplacer quand même&#x202f;? Il reste en lecture seule.</translation>
     </message>
     <message>
@@ -6965,7 +6965,7 @@ Non conservés&#xa0;: %3</translation>
         <translation>Lecture de %1…</translation>
     </message>
     <message>
-        <source>Becomes a project of its own, with the libraries it uses</source>
+        <source>Becomes a separate project with the libraries it uses</source>
         <translation>Devient un projet à part, avec les bibliothèques qu’il utilise</translation>
     </message>
     <message>
@@ -6976,11 +6976,11 @@ Non conservés&#xa0;: %3</translation>
 <context>
     <name>plc::app::InsideViews</name>
     <message>
-        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <source>Coverage of the latest %1 of %2 recorded scans</source>
         <translation>Couverture des %1 derniers cycles sur %2 de l’enregistrement</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Il n’y a pas encore d’enregistrement&#xa0;: exécutez d’abord le programme.</translation>
     </message>
     <message>
@@ -7006,7 +7006,7 @@ Non conservés&#xa0;: %3</translation>
         <translation>Vue affichée</translation>
     </message>
     <message>
-        <source>Full screen (Esc ends it)</source>
+        <source>Full screen (Esc to exit)</source>
         <translation>Plein écran (Échap pour quitter)</translation>
     </message>
     <message>
@@ -7191,8 +7191,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Récupération</translation>
     </message>
     <message>
-        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
+        <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
+        <translation>Stepwise a été fermé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -7247,7 +7247,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 passed, %2 failed</source>
-        <translation>%1 réussis, %2 en échec</translation>
+        <translation>Réussis&#xa0;: %1, en échec&#xa0;: %2</translation>
     </message>
     <message>
         <source>Real time</source>
@@ -7302,8 +7302,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le programme</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie&#x202f;; Alt+Entrée propose des corrections rapides&#x202f;; Ctrl+Espace complète.</translation>
+        <source>Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Texte structuré avec coloration sémantique. Les erreurs sont soulignées pendant la saisie&#x202f;; Alt+Entrée propose des corrections rapides&#x202f;; Ctrl+Espace complète.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -7322,8 +7322,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>La trace</translation>
     </message>
     <message>
-        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>Il n’y avait rien à choisir à l’avance&#xa0;: chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
+        <source>Nothing has to be selected in advance: every scan is recorded, and any expression can be charted afterwards.</source>
+        <translation>Il n’y a rien à choisir à l’avance&#xa0;: chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
     </message>
     <message>
         <source>The panel</source>
@@ -7658,7 +7658,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Ouvrir un enregistrement…</translation>
     </message>
     <message>
-        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <source>All values are from a recording file. Click to go back to the controller.</source>
         <translation>Toutes les valeurs proviennent d’un enregistrement dans un fichier. Un clic ramène à l’automate.</translation>
     </message>
     <message>
@@ -7773,8 +7773,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Annulé&#xa0;: rien n’a été enregistré</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
+        <source>%1 is encoded in %2 and will be saved in that encoding</source>
+        <translation>%1 est encodé en %2 et sera enregistré dans cet encodage</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -7813,7 +7813,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>Speed of the controller; any factor can be typed:</source>
+        <source>Speed of the controller; any factor can be entered:</source>
         <translation>Vitesse de l’automate&#x202f;; tout facteur peut être saisi&#xa0;:</translation>
     </message>
     <message>
@@ -7833,7 +7833,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le projet a été exporté</translation>
     </message>
     <message>
-        <source>Select the Next Occurrence Too</source>
+        <source>Add Next Occurrence to Selection</source>
         <translation>Sélectionner aussi l’occurrence suivante</translation>
     </message>
     <message>
@@ -7889,8 +7889,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Ouvrir un autre fichier à côté</translation>
     </message>
     <message>
-        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>%1 Rien ne peut être endommagé&#xa0;: l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
+        <source>%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to run it straight away.</source>
+        <translation>%1 Rien ne peut être endommagé&#xa0;: l’installation n’est qu’une simulation. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
     </message>
     <message>
         <source>This is the project %1.</source>
@@ -7901,7 +7901,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Sur quoi appuyer</translation>
     </message>
     <message>
-        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <source>The page next to the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
         <translation>La page à côté du programme est le README du projet&#xa0;: ce qu’il affiche, sur quoi appuyer, ce qu’il faut surveiller.</translation>
     </message>
     <message>
@@ -8261,7 +8261,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Kind</source>
-        <translation>Genre</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Name</source>
@@ -8761,8 +8761,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Valeurs par défaut</translation>
     </message>
     <message>
-        <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 appartient maintenant à «&#xa0;%2&#xa0;»&#x202f;; «&#xa0;%3&#xa0;» le perd.</translation>
+        <source>%1 is now assigned to “%2” instead of “%3”.</source>
+        <translation>%1 est maintenant attribué à «&#xa0;%2&#xa0;» au lieu de «&#xa0;%3&#xa0;».</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -8894,7 +8894,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 passed, %2 failed</source>
-        <translation>%1 réussis, %2 en échec</translation>
+        <translation>Réussis&#xa0;: %1, en échec&#xa0;: %2</translation>
     </message>
     <message>
         <source>not run yet</source>
@@ -8962,8 +8962,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Et si&#x202f;?</translation>
     </message>
     <message>
-        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
-        <translation>L’automate revient au cycle affiché et repart de là avec ces valeurs. La trace dessine en dessous ce qui s’est passé avant.</translation>
+        <source>The controller goes back to the scan shown and continues from there with these values. The trace draws what really happened behind the new curves.</source>
+        <translation>L’automate revient au cycle affiché et repart de là avec ces valeurs. La trace dessine à l’arrière-plan ce qui s’est réellement passé.</translation>
     </message>
     <message>
         <source>A variable, such as Main.level</source>
@@ -8990,7 +8990,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Valeurs à modifier</translation>
     </message>
     <message>
-        <source>Run From Here</source>
+        <source>Run from Here</source>
         <translation>Exécuter à partir d’ici</translation>
     </message>
     <message>
@@ -8998,7 +8998,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>%1 n’a pas de valeur dans ce cycle&#x202f;; choisissez une autre variable</translation>
     </message>
     <message>
-        <source>Give at least one variable another value</source>
+        <source>Enter a different value for at least one variable</source>
         <translation>Donnez une autre valeur à au moins une variable</translation>
     </message>
 </context>
@@ -9033,7 +9033,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Tout supprimer</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <source>The running program has no code at or below this line; choose a line with a statement</source>
         <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas&#x202f;; choisissez une ligne avec une instruction</translation>
     </message>
 </context>
@@ -9107,7 +9107,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le POU %1 n’est plus dans le texte&#x202f;; annulez la modification ou fermez cette vue</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Effacer</translation>
     </message>
     <message>
-        <source>Copy the selected rows, else all</source>
+        <source>Copy the selected rows, or all rows</source>
         <translation>Copier les lignes sélectionnées, sinon toutes</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Copier</translation>
     </message>
     <message>
-        <source>Only faults and refusals</source>
+        <source>Only faults and rejections</source>
         <translation>Erreurs et refus seulement</translation>
     </message>
     <message>
@@ -9533,7 +9533,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Imprimer…</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Corrigez d’abord le texte&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
 </context>
@@ -9592,11 +9592,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>%1 n’est plus dans le texte&#x202f;; annulez la modification ou fermez cette vue</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>Corrigez d’abord le texte&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
@@ -9812,8 +9812,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Renommer la variable partout</translation>
     </message>
     <message>
-        <source>Go to the declaration</source>
-        <translation>Aller à la déclaration</translation>
+        <source>Go to the definition</source>
+        <translation>Aller à la définition</translation>
     </message>
     <message>
         <source>References to the variable</source>
@@ -9897,7 +9897,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>La modification attend la fin du cycle</translation>
     </message>
     <message>
-        <source>The program has errors; the controller goes on with the old one</source>
+        <source>The program has errors; the controller continues with the old program</source>
         <translation>Le programme contient des erreurs&#x202f;; l’automate continue avec l’ancien</translation>
     </message>
     <message>
@@ -9909,7 +9909,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Compilation</translation>
     </message>
     <message>
-        <source>Not optimised: the quick code goes on</source>
+        <source>Not optimised: the quick code keeps running</source>
         <translation>Non optimisé&#xa0;: le code compilé rapidement continue</translation>
     </message>
     <message>
@@ -9928,7 +9928,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::editor::SlowScanView</name>
     <message>
-        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <source>Back to the previous breakpoint or to the first statement of the scan</source>
         <translation>Retour au point d’arrêt précédent, ou à la première instruction du cycle</translation>
     </message>
     <message>
@@ -9956,7 +9956,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Pas à pas sortant</translation>
     </message>
     <message>
-        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <source>Forward to the next breakpoint or to the end of the scan</source>
         <translation>Aller au point d’arrêt suivant, ou à la fin du cycle</translation>
     </message>
     <message>
@@ -9964,7 +9964,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Terminer le parcours</translation>
     </message>
     <message>
-        <source>Where the walk stands</source>
+        <source>Current position of the walk</source>
         <translation>Position dans le parcours</translation>
     </message>
     <message>
@@ -10176,8 +10176,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Réponse à une perturbation</translation>
     </message>
     <message>
-        <source>Trial with the block itself</source>
-        <translation>Essai avec le bloc lui-même</translation>
+        <source>Simulation with the actual block</source>
+        <translation>Simulation avec le bloc réel</translation>
     </message>
     <message>
         <source>Control loop</source>
@@ -10188,7 +10188,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Rechercher les échelons</translation>
     </message>
     <message>
-        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <source>Searches the recording for steps of the set point and of the output and fits a model of the process.</source>
         <translation>Recherche des échelons de la consigne et de la sortie dans l’enregistrement et en tire un modèle du procédé.</translation>
     </message>
     <message>
@@ -10331,8 +10331,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Choisissez au moins un échelon.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process; choose another rule.</source>
-        <translation>La règle n’a pas de réponse pour ce procédé&#x202f;; choisissez une autre règle.</translation>
+        <source>The rule does not apply to this process; choose another rule.</source>
+        <translation>La règle ne s’applique pas à ce procédé&#x202f;; choisissez une autre règle.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10439,11 +10439,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Annulé&#xa0;: %1</translation>
     </message>
     <message>
-        <source>What the model leaves</source>
-        <translation>Ce que le modèle n’explique pas</translation>
+        <source>Residuals of the model</source>
+        <translation>Résidus du modèle</translation>
     </message>
     <message>
-        <source>recorded less model</source>
+        <source>recorded minus model</source>
         <translation>enregistré moins modèle</translation>
     </message>
     <message>
@@ -10503,7 +10503,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Réponses</translation>
     </message>
     <message>
-        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <source>Start the controller or open a recording to search it for steps.</source>
         <translation>Démarrez l’automate ou ouvrez un enregistrement&#x202f;; des échelons y sont recherchés.</translation>
     </message>
     <message>
@@ -10671,23 +10671,23 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Une variable ou une expression, par exemple Main.level &gt; 80</translation>
     </message>
     <message>
-        <source>What is asked about</source>
-        <translation>Objet de la question</translation>
+        <source>Variable or expression to explain</source>
+        <translation>Variable ou expression à expliquer</translation>
     </message>
     <message>
         <source>Why?</source>
         <translation>Pourquoi&#x202f;?</translation>
     </message>
     <message>
-        <source>What changed it, and what that needed</source>
-        <translation>Ce qui l’a modifié, et ce qu’il fallait pour cela</translation>
+        <source>What changed it, and what had to hold</source>
+        <translation>Ce qui l’a modifié, et ce qui devait être vrai</translation>
     </message>
     <message>
         <source>Why Not?</source>
         <translation>Pourquoi pas&#x202f;?</translation>
     </message>
     <message>
-        <source>The smallest changes that would make the condition come out otherwise</source>
+        <source>The smallest changes that would change the result of the condition</source>
         <translation>Les plus petits changements qui donneraient un autre résultat à la condition</translation>
     </message>
     <message>
@@ -10711,11 +10711,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Cliquez avec le bouton droit sur une variable dans le texte, la surveillance, l’arborescence, la trace ou une vue, et demandez pourquoi elle a cette valeur.</translation>
     </message>
     <message>
-        <source>Looking into the recorded scans…</source>
+        <source>Searching the recorded scans…</source>
         <translation>Examen des cycles enregistrés…</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>Il n’y a pas encore d’enregistrement&#xa0;: exécutez d’abord le programme.</translation>
     </message>
     <message>
@@ -10744,8 +10744,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Do not wait for the answer (Esc)</source>
-        <translation>Ne pas attendre la réponse (Échap)</translation>
+        <source>Cancel (Esc)</source>
+        <translation>Annuler (Échap)</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>

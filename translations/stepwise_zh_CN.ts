@@ -72,12 +72,12 @@
         <translation>{0} 不是串口；请写其路径，例如 /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} 和 {1} 都监听端口 {2}；请为其中一个改用其他端口</translation>
+        <source>{0} and {1} both listen on port {2}; change one of the ports</source>
+        <translation>{0} 和 {1} 都监听端口 {2}；请更改其中一个端口</translation>
     </message>
     <message>
-        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
-        <translation>1024 以下的端口需要特殊权限；1502 这样的端口不需要</translation>
+        <source>Ports below 1024 require special privileges; use a port such as 1502</source>
+        <translation>1024 以下的端口需要特殊权限；请使用 1502 这样的端口</translation>
     </message>
     <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
@@ -120,7 +120,7 @@
         <translation>只有 MQTT 通道可以是 STRING 类型；请使用数值或 BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <source>&quot;scale&quot; must not be 0; omit it for 1</source>
         <translation>“scale”不能为 0；若为 1 则可省略</translation>
     </message>
     <message>
@@ -132,7 +132,7 @@
         <translation>{0}：{1}</translation>
     </message>
     <message>
-        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <source>{0} has no variable yet; enter one, or have the addresses proposed (stepwise devices PROJECT --propose)</source>
         <translation>{0} 尚无变量；请指定一个，或让程序建议地址（stepwise devices PROJECT --propose）</translation>
     </message>
     <message>
@@ -156,11 +156,11 @@
         <translation>{0} 是常量，不能写入；请选择变量</translation>
     </message>
     <message>
-        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <source>{0} reports the quality of the channel and must be a BOOL or an integer</source>
         <translation>{0} 表示通道是否有效，必须是 BOOL 或整数</translation>
     </message>
     <message>
-        <source>{0} says whether the device answers and must be a BOOL</source>
+        <source>{0} reports whether the device responds and must be a BOOL</source>
         <translation>{0} 表示设备是否应答，必须是 BOOL</translation>
     </message>
     <message>
@@ -168,27 +168,27 @@
         <translation>“onLoss”：“safe”需要在“safe”中给出值</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the password in its first line</source>
-        <translation>无法读取 {0}；其第一行是密码</translation>
+        <source>{0} cannot be read; its first line must be the password</source>
+        <translation>无法读取 {0}；其第一行必须是密码</translation>
     </message>
     <message>
-        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
-        <translation>无法读取 {0}；其中包含证书颁发机构的证书 (PEM)</translation>
+        <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
+        <translation>无法读取 {0}；其中必须包含证书颁发机构的证书 (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
-        <translation>{0} ms 内没有应答；请检查电缆、地址和单元号</translation>
+        <source>no response within {0} ms; check the cable, the address and the unit number</source>
+        <translation>{0} ms 内没有应答；请检查电缆、地址和站号</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
         <translation>连接已断开：{0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request; check baud rate, parity and unit number</source>
-        <translation>应答与请求不匹配；请检查波特率、校验和单元号</translation>
+        <source>the response does not match the request; check baud rate, parity and unit number</source>
+        <translation>应答与请求不匹配；请检查波特率、奇偶校验和站号</translation>
     </message>
     <message>
-        <source>the device refuses {0} {1}: {2}</source>
+        <source>the device rejects {0} {1}: {2}</source>
         <translation>设备拒绝 {0} {1}：{2}</translation>
     </message>
     <message>
@@ -200,23 +200,23 @@
         <translation>它没有该地址；请在其手册中核对地址</translation>
     </message>
     <message>
-        <source>it does not take the value; check the range in its manual</source>
+        <source>it does not accept the value; check the range in its manual</source>
         <translation>它不接受该值；请在其手册中核对范围</translation>
     </message>
     <message>
-        <source>it failed; look at the device</source>
-        <translation>它发生故障；请检查设备</translation>
+        <source>it reports a failure; check the device</source>
+        <translation>它报告故障；请检查设备</translation>
     </message>
     <message>
-        <source>it is busy; it is asked again</source>
-        <translation>它正忙；将再次查询</translation>
+        <source>it is busy; the request will be repeated</source>
+        <translation>它正忙；将重复请求</translation>
     </message>
     <message>
-        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
-        <translation>网关无法访问它；请检查单元号及其后的电缆</translation>
+        <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
+        <translation>网关无法访问它；请检查站号及网关之后的电缆</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <source>cannot listen on {0}: {1}; choose another address or port</source>
         <translation>无法监听 {0}：{1}；请选择其他地址或端口</translation>
     </message>
     <message>
@@ -228,11 +228,11 @@
         <translation>{0}：有一个值放不进变量；请使用更大的类型或缩放</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms; check the client and its address</source>
+        <source>no client has written for {0} ms; check the client and its address</source>
         <translation>已有 {0} ms 没有客户端写入；请检查客户端及其地址</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <source>the broker rejects the connection: {0}; check the user and the password</source>
         <translation>代理拒绝连接：{0}；请检查用户和密码</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>编译控制器时设备有错误；请更正并重新编译</translation>
     </message>
     <message>
-        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <source>Set the speed to real time first; devices cannot follow any other speed</source>
         <translation>请先将速度设为实时；设备跟不上其他速度</translation>
     </message>
     <message>
@@ -1060,8 +1060,8 @@
         <translation>{0} 已被强制；写入前请取消强制</translation>
     </message>
     <message>
-        <source>the variable is not forced</source>
-        <translation>变量未被强制</translation>
+        <source>the variable is not forced; there is nothing to release</source>
+        <translation>变量未被强制；没有可解除的强制</translation>
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
@@ -1400,16 +1400,16 @@
         <translation>ASSERT 失败：{0}（{1}）</translation>
     </message>
     <message>
-        <source>A coil writes a variable.</source>
-        <translation>线圈写入变量。</translation>
+        <source>A coil writes a variable; enter the name of one.</source>
+        <translation>线圈写入变量；请输入变量名。</translation>
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
         <translation>引脚没有触点；请输入表达式。</translation>
     </message>
     <message>
-        <source>A rung cannot move into itself.</source>
-        <translation>程序段不能移入自身。</translation>
+        <source>A rung cannot be moved into itself; choose a place outside it.</source>
+        <translation>程序段不能移到自身内部；请选择其外部的位置。</translation>
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
@@ -1480,16 +1480,16 @@
         <translation>此程序段读取自己写入的值；请将此线圈添加到单独的程序段。</translation>
     </message>
     <message>
-        <source>There is no function block {0}.</source>
-        <translation>没有功能块 {0}。</translation>
+        <source>There is no function block {0}; declare it or check the name.</source>
+        <translation>没有功能块 {0}；请声明它或检查名称。</translation>
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
         <translation>此编辑无法在图中进行；请编辑文本。</translation>
     </message>
     <message>
-        <source>This has no operand.</source>
-        <translation>此处没有操作数。</translation>
+        <source>This element has no operand; select a contact, a pin or a coil.</source>
+        <translation>此元素没有操作数；请选择触点、引脚或线圈。</translation>
     </message>
     <message>
         <source>This is not a statement: {0}</source>
@@ -1688,7 +1688,7 @@
         <translation>“{0}”放不下：需要 {1} px，最多 {2} px；请加宽元素或缩短文本</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
         <translation>“{0}”放不下：需要高度 {1} px，最多 {2} px；请加高元素或缩短文本</translation>
     </message>
     <message>
@@ -1972,8 +1972,8 @@
         <translation>项目没有语言 {0}，操作员永远看不到此列；请在 project.json 的语言中添加</translation>
     </message>
     <message>
-        <source>Nothing says what this does; give it a text, or place one beside it</source>
-        <translation>没有任何内容说明其作用；请为其设置文本，或在旁边放置文本</translation>
+        <source>No text says what this does; add one, or place one next to it</source>
+        <translation>没有文本说明其作用；请添加文本，或在旁边放置文本</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2012,12 +2012,12 @@
         <translation>程序不是由源文件编译的。</translation>
     </message>
     <message>
-        <source>The recording does not contain the program of this scan.</source>
-        <translation>记录中没有此扫描周期的程序。</translation>
+        <source>The recording does not contain the program of this scan; choose a later scan.</source>
+        <translation>记录中没有此扫描周期的程序；请选择较晚的扫描周期。</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording.</source>
-        <translation>此扫描周期已不在记录中。</translation>
+        <source>This scan is no longer in the recording; choose a later scan.</source>
+        <translation>此扫描周期已不在记录中；请选择较晚的扫描周期。</translation>
     </message>
     <message>
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
@@ -2028,7 +2028,7 @@
         <translation>没有用户 {0}；请创建该用户或检查名称</translation>
     </message>
     <message>
-        <source>The password cannot be kept: {0}</source>
+        <source>The password cannot be saved: {0}</source>
         <translation>无法保存密码：{0}</translation>
     </message>
     <message>
@@ -2048,8 +2048,8 @@
         <translation>无法读取审计追踪：{0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
-        <translation>框架 {0} 没有画面区域，因此其中看不到画面；请添加画面区域</translation>
+        <source>The frame {0} has no panel area, so no panel is shown in it; add one</source>
+        <translation>框架 {0} 没有画面区域，因此其中不显示画面；请添加画面区域</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
@@ -2108,7 +2108,7 @@
         <translation>没有规则 {0}；您是指 {1} 吗？</translation>
     </message>
     <message>
-        <source>The rule stays on until a text says why it is off</source>
+        <source>The rule stays on until a reason for switching it off is given</source>
         <translation>在写明关闭理由之前，该规则保持启用</translation>
     </message>
     <message>
@@ -2124,20 +2124,20 @@
         <translation>该值必须是一个对象，包含级别、距离和已关闭的规则</translation>
     </message>
     <message>
-        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
-        <translation>颜色 {0} 无论发生什么都一直可见；请使用 {1}</translation>
+        <source>The colour {0} is always visible, whatever the state; use {1}</source>
+        <translation>颜色 {0} 无论何种状态都始终可见；请使用 {1}</translation>
     </message>
     <message>
-        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
-        <translation>{0} 是报警颜色，但在一切正常时也可见；请使用 {1}</translation>
+        <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
+        <translation>{0} 是报警颜色，但在正常运行时也可见；请使用 {1}</translation>
     </message>
     <message>
-        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
         <translation>{0} 与 {1} 仅靠色相区分；请选择更亮的颜色，或添加文本或闪烁</translation>
     </message>
     <message>
-        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>没有说明该指示灯的含义；请为其添加标签，或在旁边放置文本</translation>
+        <source>No text says what the lamp means; give it a label, or place a text next to it</source>
+        <translation>没有文本说明该指示灯的含义；请为其添加标签，或在旁边放置文本</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2152,16 +2152,16 @@
         <translation>此处面板组件太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>此处面板组件太小，手指只有 {0} px 可按；需要 {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
+        <translation>此处面板组件太小，只剩 {0} px 供手指按下；需要 {1} px</translation>
     </message>
     <message>
-        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
         <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
-        <translation>画面显示了 {0} 项要读取或按下的内容；按其大小，可接受 {1} 项；请将一部分移到其他画面</translation>
+        <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
+        <translation>画面显示了 {0} 个值和控件；按其大小，最多为 {1} 个；请将一部分移到其他画面</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2172,19 +2172,19 @@
         <translation>画面 {0} 上没有返回的途径；请添加带 back 或 home 动作的按钮，或导航栏</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <source>{0} is in a different place on the panel {1}; put it in the same place on both</source>
         <translation>{0} 在画面 {1} 上处于不同位置；请在两个画面上放在同一位置</translation>
     </message>
     <message>
-        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>正常状态为灰色，使眼睛能发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，只为状态着色。</translation>
+        <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>正常状态为灰色，以便发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，只为状态着色。</translation>
     </message>
     <message>
-        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
         <translation>红色、橙色和黄色留给报警。操作员若整天看到它们，在关键时刻就会视而不见 (ISA-101, ISA-18.2)。</translation>
     </message>
     <message>
-        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
         <translation>文本与背景的对比度需达到 4.5 比 1，大号文本为 3 比 1 (WCAG 2, ISO 9241-303)。主题角色在每个主题中都能保证这一点。</translation>
     </message>
     <message>
@@ -2192,35 +2192,35 @@
         <translation>大写字母的视角至少应为 16 角分 (ISO 9241-303)。距离和像素大小在 project.json 中设置。</translation>
     </message>
     <message>
-        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>显示所有内容的画面只能搜索，无法阅读。请把细节移到下一级画面 (ISA-101)。</translation>
+        <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
+        <translation>在显示所有内容的画面上，操作员必须查找。请把细节移到下一级画面 (ISA-101)。</translation>
     </message>
     <message>
-        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
         <translation>在异常情况下，每个画面最多应按三次即可到达，并且应能返回 (ISA-101)。</translation>
     </message>
     <message>
-        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
         <translation>多个画面上的同一内容若总在同一位置，不看也能找到。请放在框架上，或在各处放在同一位置。</translation>
     </message>
     <message>
-        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
+        <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
         <translation>一个元素遮住另一个，导致文本无法阅读或按错元素。</translation>
     </message>
     <message>
-        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
-        <translation>它看起来像在显示或执行什么。请绑定变量或删除它。</translation>
+        <source>The element looks as if it had a function. Bind it to a variable, or remove it.</source>
+        <translation>该元素看起来好像有功能。请绑定变量或删除它。</translation>
     </message>
     <message>
-        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
         <translation>手指一滑就可能把 50 输成 500。限值会在输入时拒绝它。</translation>
     </message>
     <message>
-        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
         <translation>没人看到的报警等于没有报警。请在框架上放置报警横幅，或在画面上放置报警列表 (ISA-18.2)。</translation>
     </message>
     <message>
-        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
+        <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
         <translation>报警要求操作员采取动作。其帮助应说明是哪一个动作，以及否则会发生什么 (ISA-18.2)。</translation>
     </message>
     <message>
@@ -2240,8 +2240,8 @@
         <translation>project.json 中的“memoryForNew”是 0 到 {0} 的字节数</translation>
     </message>
     <message>
-        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
-        <translation>相邻元素之间，手指在两个方向上需要 7 mm，戴手套需要 9 mm，严格级别即要求 9 mm。像素大小在 project.json 中设置。</translation>
+        <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
+        <translation>手指在两个方向上需要 7 mm，戴手套需要 9 mm（严格级别的要求）。像素大小在 project.json 中设置。</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2252,15 +2252,15 @@
         <translation>任何数值都可写入 {0}；请设置“{1}”</translation>
     </message>
     <message>
-        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
         <translation>每十二名男性中就有一人难以分辨某些颜色，强光下颜色也会变淡。请同时用文本、形状、闪烁或至少不同的亮度来显示。</translation>
     </message>
     <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>只有部分人可以做的操作，或 project.json 列为关键的操作，不应因误触而发生。请设置“写入需确认”，或填写询问文本。</translation>
+        <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>仅限某些角色的写入，或 project.json 列为关键的写入，不应因误触而触发。请设置“写入需确认”，或填写询问文本。</translation>
     </message>
     <message>
-        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
         <translation>只有 {1} 可以写 {0}，但未要求确认；请设置“写入需确认”</translation>
     </message>
     <message>
@@ -2700,11 +2700,11 @@
         <translation>项目有 {0} 个报警，但没有任何画面带有报警列表或报警横幅；请添加</translation>
     </message>
     <message>
-        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>project.json 将 {0} 列为关键变量，但按一下即可写入；请启用“写入需确认”</translation>
     </message>
     <message>
-        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} 会抑制报警，但按一下即可写入；请启用“写入需确认”</translation>
     </message>
     <message>
@@ -2712,7 +2712,7 @@
         <translation>起始画面有 {0} 个操作元件，但没有文本说明静止时应按什么；请添加一句说明，或添加指明某个操作元件的状态文本</translation>
     </message>
     <message>
-        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。最先看到的画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
     </message>
 </context>
@@ -2739,7 +2739,7 @@
         <translation>带配方的洗车机</translation>
     </message>
     <message>
-        <source>Room heated by supply air</source>
+        <source>Room heating with supply air</source>
         <translation>送风供暖的房间</translation>
     </message>
     <message>
@@ -2779,11 +2779,11 @@
         <translation>带复位和使能的计时器</translation>
     </message>
     <message>
-        <source>Items per hour</source>
+        <source>Hourly production</source>
         <translation>每小时产量</translation>
     </message>
     <message>
-        <source>Items and meters</source>
+        <source>Item counter and meters</source>
         <translation>工件与计量表</translation>
     </message>
     <message>
@@ -2803,7 +2803,7 @@
         <translation>两种液体与两块料的混合机</translation>
     </message>
     <message>
-        <source>Motor with self-holding</source>
+        <source>Motor with latching</source>
         <translation>电机自锁</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>正弦信号的脉宽调制</translation>
     </message>
     <message>
-        <source>Rack with a robot</source>
+        <source>Storage rack with a robot</source>
         <translation>机器人货架</translation>
     </message>
     <message>
@@ -2831,11 +2831,11 @@
         <translation>机器人与数控机床</translation>
     </message>
     <message>
-        <source>Robot that packs boxes</source>
+        <source>Packing robot with camera inspection</source>
         <translation>装箱机器人</translation>
     </message>
     <message>
-        <source>Two level sensors that watch each other</source>
+        <source>Two redundant level sensors</source>
         <translation>相互监视的两个液位传感器</translation>
     </message>
     <message>
@@ -2843,7 +2843,7 @@
         <translation>六泵泵站</translation>
     </message>
     <message>
-        <source>Motor with selector</source>
+        <source>Motor with selector switch</source>
         <translation>带选择开关的电机</translation>
     </message>
     <message>
@@ -2851,11 +2851,11 @@
         <translation>整数堆栈</translation>
     </message>
     <message>
-        <source>Tank that is filled, heated and emptied</source>
+        <source>Tank with filling, heating and emptying</source>
         <translation>罐的充填、加热与排空</translation>
     </message>
     <message>
-        <source>Tank, operated by hand</source>
+        <source>Manually operated tank</source>
         <translation>手动操作的罐</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@
         <translation>三种阀门</translation>
     </message>
     <message>
-        <source>Pump in waves</source>
+        <source>Pump control with waves</source>
         <translation>波浪中的泵</translation>
     </message>
     <message>
@@ -2891,7 +2891,7 @@
         <translation>通过 Modbus 连接的罐</translation>
     </message>
     <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <source>A vehicle between two limit switches, controlled by two linked sequential function charts</source>
         <translation>小车在两个限位开关之间行驶，由两个关联的顺序功能图控制</translation>
     </message>
     <message>
@@ -2907,7 +2907,7 @@
         <translation>灌装机、旋盖机和贴标机，中间带缓冲，按 PackML 控制</translation>
     </message>
     <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
+        <source>A robot parks cars by number plate and retrieves them again</source>
         <translation>机器人按车牌号停车并取车</translation>
     </message>
     <message>
@@ -2943,7 +2943,7 @@
         <translation>压降反映过滤器的堵塞程度，超出范围时报警</translation>
     </message>
     <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
         <translation>料仓、料斗、传送带和卡车，由三个并行的顺序功能图控制</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@
         <translation>两个开关控制：带设定值的加热器，以及泵报警时打开的阀门</translation>
     </message>
     <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
         <translation>可装载、启用和保持的计时器，曲线呈锯齿形</translation>
     </message>
     <message>
@@ -2963,11 +2963,11 @@
         <translation>统计工件、电能和用水量，断电后数据保留</translation>
     </message>
     <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
         <translation>4 至 20 mA 液位传感器、三个指示灯和断线检测</translation>
     </message>
     <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <source>Three machine signals on three lamps that flash or stay on</source>
         <translation>机器的三个信号由三个常亮或闪烁的指示灯显示</translation>
     </message>
     <message>
@@ -2979,8 +2979,8 @@
         <translation>称量液体，传送带送来两块料，然后搅拌并倾倒</translation>
     </message>
     <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>启动、停止和自保持接触器，用四种等效方式编写</translation>
+        <source>Start, stop and a latching contactor, written in five ways that agree</source>
+        <translation>启动、停止和自保持接触器，用五种等效方式编写</translation>
     </message>
     <message>
         <source>The local control box or the panel: one block decides which of them is in control</source>
@@ -2991,23 +2991,23 @@
         <translation>同一过程有无 PID 控制器的对比，显示在一个跟踪中</translation>
     </message>
     <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <source>One filter, two sines: the slow one passes, the fast one is attenuated and delayed</source>
         <translation>一个滤波器，两个正弦信号：慢的通过，快的衰减并滞后</translation>
     </message>
     <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <source>A pump tries its speeds and keeps the one with the least energy per cubic metre</source>
         <translation>泵逐一试验转速，保持每立方米能耗最低的转速</translation>
     </message>
     <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <source>Two alternating pumps; a float switch is accepted only after two steady seconds</source>
         <translation>两台泵轮换运行；浮球稳定两秒后才有效</translation>
     </message>
     <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <source>A sine becomes pulses for two outputs, as for a motor with two directions</source>
         <translation>正弦信号转换为两个输出的脉冲，如同双向电机</translation>
     </message>
     <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <source>A robot counts encoder pulses to store and retrieve loads in twelve locations</source>
         <translation>机器人对编码器脉冲计数，在十二个货位存取货物</translation>
     </message>
     <message>
@@ -3019,11 +3019,11 @@
         <translation>机器人在每个箱子里放三个工件，由相机检查结果</translation>
     </message>
     <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <source>Two sensors are compared; a faulty one is replaced with the healthy one without a jump</source>
         <translation>比较两个传感器；故障的一个由正常的无扰替代</translation>
     </message>
     <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
         <translation>按液位和运行时间启停六台泵，来水模拟城市的一天</translation>
     </message>
     <message>
@@ -3035,11 +3035,11 @@
         <translation>后进先出：push、pop 和 reset，用 ST 和指令表编写</translation>
     </message>
     <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <source>The same sequence twice: with CASE and as a sequential function chart; either can be in control</source>
         <translation>同一过程写两次：用 CASE 和顺序功能图，任选其一控制</translation>
     </message>
     <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <source>Fill, empty and stir with three switches; two level switches prevent operating errors</source>
         <translation>用三个开关加料、排空和搅拌，两个液位开关防止误操作</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>4 至 20 mA 电流换算为液位，液位换算为体积</translation>
     </message>
     <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <source>Red, yellow and green from one seconds counter, written in three ways</source>
         <translation>由一个秒计数器控制红、黄、绿灯，用三种方式编写</translation>
     </message>
     <message>
@@ -3059,15 +3059,15 @@
         <translation>电动阀、弹簧复位阀和调节阀，各有一个功能块</translation>
     </message>
     <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <source>A float switch in waves: the pump starts and stops only after five steady seconds</source>
         <translation>波浪中的浮球：稳定五秒后泵才启停</translation>
     </message>
     <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <source>Four BCD digits become the net weight once the scale has settled</source>
         <translation>秤稳定后，四位 BCD 数换算为净重</translation>
     </message>
     <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <source>Language samples on four pages, each a separate program with a test</source>
         <translation>四页语言示例，每个都是带测试的独立程序</translation>
     </message>
     <message>
@@ -3170,11 +3170,11 @@
         <translation>元素之外的注释已略去：{0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>{0} 中的图未读取：表达式无限重复；请用 ST 编写其主体</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
         <translation>{0} 中的条件需要调用块，而条件不能这样做；请先调用该块，再使用其输出</translation>
     </message>
     <message>
@@ -3182,31 +3182,31 @@
         <translation>转换 {0} 不是单个表达式，未读取；请在文本中写入其条件</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
+        <source>PLCopen XML does not support panels; they were left out</source>
         <translation>PLCopen XML 不支持画面；已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
+        <source>PLCopen XML does not support traces; they were left out</source>
         <translation>PLCopen XML 不支持跟踪；已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
+        <source>PLCopen XML does not support tests; they were left out</source>
         <translation>PLCopen XML 不支持测试；已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <source>PLCopen XML does not support tests; the TEST &apos;{0}&apos; was left out</source>
         <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
         <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
+        <source>PLCopen XML does not support USING; it was left out</source>
         <translation>PLCopen XML 不支持 USING；已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <source>PLCopen XML does not support the name of the transition {0}; it was left out</source>
         <translation>PLCopen XML 不支持转换 {0} 的名称；已略去</translation>
     </message>
     <message>
@@ -3238,23 +3238,23 @@
         <translation>版本 0201 没有类型 {0}；其他工具将无法识别</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <source>Version 0201 does not support the pragma {0} of a step; it was left out</source>
         <translation>版本 0201 不支持步的编译指示 {0}；已略去</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <source>Version 0201 does not support {0} of a task; it was left out</source>
         <translation>版本 0201 不支持任务的 {0}；已略去</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <source>Version 0201 does not support the connections of the program {0}; they were left out</source>
         <translation>版本 0201 不支持程序 {0} 的连接；已略去</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <source>Version 0201 does not support libraries; {0} was left out</source>
         <translation>版本 0201 不支持库；{0} 已略去</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <source>The file is not a program source and was left out; import it separately if it is one</source>
         <translation>文件不是程序源，已略去；若它是程序源文件，请单独导入</translation>
     </message>
     <message>
@@ -3262,7 +3262,7 @@
         <translation>程序段“{0}”在图中被注释掉，未写入文本</translation>
     </message>
     <message>
-        <source>Types that {0} has by itself are declared here</source>
+        <source>Types that are predefined in {0} are declared here</source>
         <translation>{0} 自带的类型在此处声明</translation>
     </message>
     <message>
@@ -3270,19 +3270,19 @@
         <translation>{0} 按字计算 %MW1；project.json 中的“addressing”与此一致</translation>
     </message>
     <message>
-        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
         <translation>地址 {0} 起始于按字计数的其他工具无法表示的字节；请移到其大小的整数倍</translation>
     </message>
     <message>
-        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
         <translation>{0} 涉及控制器之外；此处只声明其输入和输出，不执行任何操作</translation>
     </message>
     <message>
-        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
         <translation>库 {0} 是此次导入的一部分；其名称前不写 {0}</translation>
     </message>
     <message>
-        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
         <translation>Stepwise 自身已有库 {0} 中的名称；书写时前面不带 {0}</translation>
     </message>
     <message>
@@ -3294,7 +3294,7 @@
         <translation>文件为空；请重新导出</translation>
     </message>
     <message>
-        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <source>This is a ZIP archive despite its name; extract it and import the folder</source>
         <translation>无论文件名是什么，这都是 ZIP 压缩包；请解压后导入文件夹</translation>
     </message>
     <message>
@@ -3325,15 +3325,15 @@
         <translation>%1，位于 %2</translation>
     </message>
     <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>XY 图以一个通道为横轴绘制另一个通道：请向跟踪添加第二个通道。</translation>
+        <source>An XY plot draws one channel against another: add a second channel to the trace.</source>
+        <translation>XY 图以一个通道为横轴显示另一个通道：请向跟踪添加第二个通道。</translation>
     </message>
     <message>
         <source>XY plot</source>
         <translation>XY 图</translation>
     </message>
     <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
+        <source>There are no samples in view: run the program or show another section.</source>
         <translation>可见范围内没有采样值：请运行程序或显示其他区段。</translation>
     </message>
     <message>
@@ -3389,7 +3389,7 @@
         <translation>%1：%L3 个频率中有 %L2 个的相干性高于 0.8</translation>
     </message>
     <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <source>Runs are overlaid at their triggers: enter a trigger in the properties of the trace.</source>
         <translation>各次运行按触发点叠加：请在跟踪的属性中输入触发器。</translation>
     </message>
     <message>
@@ -3397,7 +3397,7 @@
         <translation>此记录中触发器尚未触发。</translation>
     </message>
     <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <source>The runs of the visible channels are overlaid: add a channel.</source>
         <translation>可见通道的各次运行叠加显示：请添加通道。</translation>
     </message>
     <message>
@@ -5167,7 +5167,7 @@
         <translation>由 {0}  {1} 设置（{2}）</translation>
     </message>
     <message>
-        <source>set by what the compiler adds ({0})</source>
+        <source>set by code that the compiler adds ({0})</source>
         <translation>由编译器添加的代码设置（{0}）</translation>
     </message>
     <message>
@@ -5215,8 +5215,8 @@
         <translation>由测试的语句设置</translation>
     </message>
     <message>
-        <source>not known who set it</source>
-        <translation>不知由谁设置</translation>
+        <source>origin not known</source>
+        <translation>来源未知</translation>
     </message>
     <message>
         <source>the command line</source>
@@ -5363,7 +5363,7 @@
         <translation>{0}   {1}</translation>
     </message>
     <message>
-        <source>its time of {0} is over</source>
+        <source>its time of {0} has elapsed</source>
         <translation>其时间 {0} 已到</translation>
     </message>
     <message>
@@ -5415,7 +5415,7 @@
         <translation>停在断点期间有写入</translation>
     </message>
     <message>
-        <source>the scan had another result when it was run again</source>
+        <source>the scan had a different result when it was run again</source>
         <translation>重新运行时该扫描周期的结果不同</translation>
     </message>
     <message>
@@ -6022,15 +6022,15 @@
         <translation>{0} 已被强制；写入前请取消强制</translation>
     </message>
     <message>
-        <source>{0} is not forced</source>
-        <translation>{0} 未被强制</translation>
+        <source>{0} is not forced; there is nothing to release</source>
+        <translation>{0} 未被强制；没有可解除的强制</translation>
     </message>
     <message>
         <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
         <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
     </message>
     <message>
@@ -6038,12 +6038,12 @@
         <translation>控制器的程序中没有文件 {0}；请重新加载其程序</translation>
     </message>
     <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>正在获取一个记录；请等待其完成</translation>
+        <source>A recording is already being downloaded; wait until it is complete</source>
+        <translation>正在下载一个记录；请等待其完成</translation>
     </message>
     <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>正在为他人服务的控制器不能回退时间；请获取其记录并从那里继续</translation>
+        <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
+        <translation>作为服务运行的控制器不能从较早的扫描周期继续；请下载其记录并从那里继续</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6054,7 +6054,7 @@
         <translation>无法访问 {0}：{1}</translation>
     </message>
     <message>
-        <source>{0} refuses the connection: {1}</source>
+        <source>{0} rejects the connection: {1}</source>
         <translation>{0} 拒绝连接：{1}</translation>
     </message>
     <message>
@@ -6066,7 +6066,7 @@
         <translation>此计算机输入错误代码的次数过多；请等待一分钟</translation>
     </message>
     <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
         <translation>代码将在网络上明文传输；请使用 https 地址，并用 --certificate 启动控制器</translation>
     </message>
     <message>
@@ -6128,11 +6128,11 @@
         <translation>受干扰：没有模型能解释其 {0} % 以上</translation>
     </message>
     <message>
-        <source>usable; it was still moving before</source>
-        <translation>可使用；之前仍在变化</translation>
+        <source>usable; not at rest before it</source>
+        <translation>可使用；之前尚未稳定</translation>
     </message>
     <message>
-        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
         <translation>记录中没有阶跃或扰动；请手动改变一次设定值或输出并记录</translation>
     </message>
     <message>
@@ -6140,31 +6140,31 @@
         <translation>找到的 {0} 处变化均不可用：{1}</translation>
     </message>
     <message>
-        <source>No model explains what the output does; something else moves it</source>
+        <source>No model explains the output; something else affects it</source>
         <translation>没有模型能解释输出的变化；有其他因素在影响它</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process; choose another one</source>
+        <source>The rule {0} does not apply to this process; choose another one</source>
         <translation>规则 {0} 不适合此过程；请选择其他规则</translation>
     </message>
     <message>
-        <source>Unstable: the loop would swing up. Do not use this.</source>
-        <translation>不稳定：回路会发散振荡。请勿使用。</translation>
+        <source>Unstable: the oscillation would grow. Do not use these settings.</source>
+        <translation>不稳定：振荡会不断增大。请勿使用这些设置。</translation>
     </message>
     <message>
-        <source>Fragile: a small change of the process makes it swing.</source>
+        <source>Fragile: a small change of the process makes it oscillate.</source>
         <translation>脆弱：过程的微小变化就会引起振荡。</translation>
     </message>
     <message>
-        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
         <translation>敏捷：快速，略有振荡；过程不应有大的变化。</translation>
     </message>
     <message>
-        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <source>Good: fast enough, and tolerant of the usual process changes.</source>
         <translation>良好：足够快，并能承受过程的一般变化。</translation>
     </message>
     <message>
-        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <source>Calm: slow, and tolerant of large process changes.</source>
         <translation>平稳：较慢，能承受变化很大的过程。</translation>
     </message>
     <message>
@@ -6176,11 +6176,11 @@
         <translation>设定值阶跃的超调为 {0} %。</translation>
     </message>
     <message>
-        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
-        <translation>Ziegler-Nichols 仅用于比较：它会振荡且容差小。请改用 SIMC 或最优。</translation>
+        <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols 仅供比较：它会振荡，容差很小。请改为使用 SIMC 或最优值。</translation>
     </message>
     <message>
-        <source>The rule looks at one lag only; check the margins.</source>
+        <source>The rule considers only one lag; check the margins.</source>
         <translation>该规则只考虑一个惯性环节；请检查裕度。</translation>
     </message>
     <message>
@@ -6328,15 +6328,15 @@
         <translation>没有振荡。</translation>
     </message>
     <message>
-        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>设置可能是原因：按模型，回路以此周期振荡。</translation>
     </message>
     <message>
-        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
         <translation>阀门卡涩可能是原因：输出平稳变化，而过程以跳变响应。</translation>
     </message>
     <message>
-        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>可能的原因在外部：设置和阀门卡涩都无法解释。</translation>
     </message>
     <message>
@@ -6348,19 +6348,19 @@
         <translation>测量值变化的 {0} % 是噪声。</translation>
     </message>
     <message>
-        <source>the output did not answer: the controller was not in charge</source>
-        <translation>输出没有响应：控制器未起作用</translation>
+        <source>the output did not respond: the controller was not active</source>
+        <translation>输出没有响应：控制器未激活</translation>
     </message>
     <message>
         <source>too short: not at rest again before the next change</source>
         <translation>过短：下一次变化前尚未恢复平稳</translation>
     </message>
     <message>
-        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
         <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请手动改变一次设定值或输出并记录下来</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>变化 {0} 是扰动：原因未知，因此无法建立模型；请选择设定值或输出的变化</translation>
     </message>
 </context>
@@ -6391,7 +6391,7 @@
         <translation>表中除时间外没有数字列；请添加带标题的列</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
+        <source>The table has no rows below its headings; write one row per sample</source>
         <translation>表头下没有数据行；每个采样写一行</translation>
     </message>
     <message>
@@ -6403,20 +6403,20 @@
         <translation>其列名不能作为变量；请使用字母、数字和下划线</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer section</source>
         <translation>{0} 个采样值不足以计算频谱；请显示更长的区段</translation>
     </message>
     <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer section</source>
         <translation>{0} 个采样值不足以计算频率响应；请显示更长的区段</translation>
     </message>
     <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>此处输入没有变化；没有可计算的响应</translation>
+        <source>The input does not change here, so there is no response; show another section</source>
+        <translation>此处输入没有变化，因此没有响应；请显示其他区段</translation>
     </message>
     <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} 末尾需要右括号；括号包围整个表达式</translation>
+        <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
+        <translation>{0} 末尾需要右括号；括号必须包围整个表达式</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -6517,7 +6517,7 @@
         <translation>已连接到 %1；其程序与此处打开的不同</translation>
     </message>
     <message>
-        <source>%1 is lost – connecting again…</source>
+        <source>Connection to %1 lost – reconnecting…</source>
         <translation>与 %1 的连接已断开 – 正在重新连接…</translation>
     </message>
     <message>
@@ -6525,8 +6525,8 @@
         <translation>正在连接 %1…</translation>
     </message>
     <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>控制器在那里运行；在此处写入和强制的值会在那里生效</translation>
+        <source>The controller runs remotely; values written and forced here take effect there</source>
+        <translation>控制器在远程运行；在此处写入和强制的值会在那里生效</translation>
     </message>
 </context>
 <context>
@@ -6556,7 +6556,7 @@
         <translation>相同内容的指令表</translation>
     </message>
     <message>
-        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <source>Both give the same results. Replacing can be undone in one step; comments are kept, each above its statement.</source>
         <translation>两者结果相同。替换可一步撤消；注释保留，各自位于其语句上方。</translation>
     </message>
     <message>
@@ -6754,7 +6754,7 @@
         <translation>只读文件</translation>
     </message>
     <message>
-        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <source>%1 is read-only. Replace it anyway? It stays read-only.</source>
         <translation>%1 为只读。仍要替换吗？文件将保持只读。</translation>
     </message>
     <message>
@@ -6959,7 +6959,7 @@ Not kept: %3</source>
         <translation>正在读取 %1…</translation>
     </message>
     <message>
-        <source>Becomes a project of its own, with the libraries it uses</source>
+        <source>Becomes a separate project with the libraries it uses</source>
         <translation>成为独立的项目，包含其使用的库</translation>
     </message>
     <message>
@@ -6970,11 +6970,11 @@ Not kept: %3</source>
 <context>
     <name>plc::app::InsideViews</name>
     <message>
-        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <source>Coverage of the latest %1 of %2 recorded scans</source>
         <translation>最近 %1 个扫描周期的覆盖率，共记录 %2 个</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>尚无记录：请先运行程序。</translation>
     </message>
     <message>
@@ -7000,7 +7000,7 @@ Not kept: %3</source>
         <translation>显示的画面</translation>
     </message>
     <message>
-        <source>Full screen (Esc ends it)</source>
+        <source>Full screen (Esc to exit)</source>
         <translation>全屏（按 Esc 退出）</translation>
     </message>
     <message>
@@ -7185,7 +7185,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>恢复</translation>
     </message>
     <message>
-        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
         <translation>上次退出时未保存。%1 的未保存更改已保留。是否恢复？</translation>
     </message>
     <message>
@@ -7295,8 +7295,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>程序</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>按含义着色的结构化文本。输入时错误会加下划线；Alt+Enter 提供快速修正；Ctrl+空格 补全。</translation>
+        <source>Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>带语义高亮的结构化文本。输入时错误会加下划线；Alt+Enter 提供快速修正；Ctrl+空格 补全。</translation>
     </message>
     <message>
         <source>Run</source>
@@ -7315,7 +7315,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>跟踪</translation>
     </message>
     <message>
-        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <source>Nothing has to be selected in advance: every scan is recorded, and any expression can be charted afterwards.</source>
         <translation>无需事先选择：每个扫描周期都有记录，事后可为任意表达式生成曲线图。</translation>
     </message>
     <message>
@@ -7651,7 +7651,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>打开记录…</translation>
     </message>
     <message>
-        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <source>All values are from a recording file. Click to go back to the controller.</source>
         <translation>所有值均来自文件中的记录。点击返回控制器。</translation>
     </message>
     <message>
@@ -7765,8 +7765,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>已取消：未保存任何内容</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 的编码为 %2，将按原样保存</translation>
+        <source>%1 is encoded in %2 and will be saved in that encoding</source>
+        <translation>%1 的编码为 %2，将以该编码保存</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -7805,7 +7805,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>Speed of the controller; any factor can be typed:</source>
+        <source>Speed of the controller; any factor can be entered:</source>
         <translation>控制器速度；可输入任意倍数：</translation>
     </message>
     <message>
@@ -7825,7 +7825,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>项目已导出</translation>
     </message>
     <message>
-        <source>Select the Next Occurrence Too</source>
+        <source>Add Next Occurrence to Selection</source>
         <translation>同时选择下一个匹配项</translation>
     </message>
     <message>
@@ -7881,8 +7881,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>在旁边打开其他文件</translation>
     </message>
     <message>
-        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>%1 不会损坏任何东西：被控对象只是数字。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
+        <source>%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to run it straight away.</source>
+        <translation>%1 不会损坏任何东西：被控对象只是仿真。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
     </message>
     <message>
         <source>This is the project %1.</source>
@@ -7893,7 +7893,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>该按什么</translation>
     </message>
     <message>
-        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <source>The page next to the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
         <translation>程序旁边的页面是项目的 README：显示什么、该按什么、监视什么。</translation>
     </message>
     <message>
@@ -8749,8 +8749,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>恢复默认值</translation>
     </message>
     <message>
-        <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 现在属于“%2”；“%3”不再使用它。</translation>
+        <source>%1 is now assigned to “%2” instead of “%3”.</source>
+        <translation>%1 现在分配给“%2”，不再分配给“%3”。</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -8950,8 +8950,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>假如？</translation>
     </message>
     <message>
-        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
-        <translation>控制器返回到显示的扫描周期，并以这些值从那里继续运行。跟踪在下方绘制之前发生的情况。</translation>
+        <source>The controller goes back to the scan shown and continues from there with these values. The trace draws what really happened behind the new curves.</source>
+        <translation>控制器返回到显示的扫描周期，并以这些值从那里继续运行。跟踪在新曲线后方绘制实际发生的情况。</translation>
     </message>
     <message>
         <source>A variable, such as Main.level</source>
@@ -8978,7 +8978,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>要更改的值</translation>
     </message>
     <message>
-        <source>Run From Here</source>
+        <source>Run from Here</source>
         <translation>从此处运行</translation>
     </message>
     <message>
@@ -8986,7 +8986,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>%1 在此扫描周期中没有值；请选择其他变量</translation>
     </message>
     <message>
-        <source>Give at least one variable another value</source>
+        <source>Enter a different value for at least one variable</source>
         <translation>请至少更改一个变量的值</translation>
     </message>
 </context>
@@ -9021,7 +9021,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>全部移除</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <source>The running program has no code at or below this line; choose a line with a statement</source>
         <translation>运行中的程序在此行及以下没有代码；请选择含有语句的行</translation>
     </message>
 </context>
@@ -9095,7 +9095,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>POU %1 已不在文本中；请撤消该更改或关闭此视图</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>文本有错误：这是最后一次正确的图形</translation>
     </message>
     <message>
@@ -9369,7 +9369,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>清空</translation>
     </message>
     <message>
-        <source>Copy the selected rows, else all</source>
+        <source>Copy the selected rows, or all rows</source>
         <translation>复制所选行，未选择时复制全部</translation>
     </message>
     <message>
@@ -9377,7 +9377,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>复制</translation>
     </message>
     <message>
-        <source>Only faults and refusals</source>
+        <source>Only faults and rejections</source>
         <translation>仅错误和拒绝</translation>
     </message>
     <message>
@@ -9519,7 +9519,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>打印…</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>请先修正文本：这是最后一次正确的图形</translation>
     </message>
 </context>
@@ -9578,11 +9578,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>%1 已不在文本中；请撤消该更改或关闭此视图</translation>
     </message>
     <message>
-        <source>The text has errors: this is the last good drawing</source>
+        <source>The text has errors: this is the last valid drawing</source>
         <translation>文本有错误：这是最后一次正确的图形</translation>
     </message>
     <message>
-        <source>Fix the text first: this is the last good drawing</source>
+        <source>Fix the text first: this is the last valid drawing</source>
         <translation>请先修正文本：这是最后一次正确的图形</translation>
     </message>
     <message>
@@ -9798,8 +9798,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>在所有位置重命名变量</translation>
     </message>
     <message>
-        <source>Go to the declaration</source>
-        <translation>转到声明</translation>
+        <source>Go to the definition</source>
+        <translation>转到定义</translation>
     </message>
     <message>
         <source>References to the variable</source>
@@ -9882,7 +9882,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>修改等待扫描周期结束</translation>
     </message>
     <message>
-        <source>The program has errors; the controller goes on with the old one</source>
+        <source>The program has errors; the controller continues with the old program</source>
         <translation>程序有错误；控制器继续运行旧程序</translation>
     </message>
     <message>
@@ -9894,7 +9894,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>编译</translation>
     </message>
     <message>
-        <source>Not optimised: the quick code goes on</source>
+        <source>Not optimised: the quick code keeps running</source>
         <translation>未优化：继续运行快速编译的代码</translation>
     </message>
     <message>
@@ -9913,7 +9913,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::editor::SlowScanView</name>
     <message>
-        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <source>Back to the previous breakpoint or to the first statement of the scan</source>
         <translation>回到上一个断点，或扫描周期的第一条语句</translation>
     </message>
     <message>
@@ -9941,7 +9941,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>单步跳出</translation>
     </message>
     <message>
-        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <source>Forward to the next breakpoint or to the end of the scan</source>
         <translation>前进到下一个断点，或扫描周期结束</translation>
     </message>
     <message>
@@ -9949,7 +9949,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>结束逐句查看</translation>
     </message>
     <message>
-        <source>Where the walk stands</source>
+        <source>Current position of the walk</source>
         <translation>当前查看位置</translation>
     </message>
     <message>
@@ -10161,8 +10161,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>扰动响应</translation>
     </message>
     <message>
-        <source>Trial with the block itself</source>
-        <translation>用功能块本身试运行</translation>
+        <source>Simulation with the actual block</source>
+        <translation>用实际功能块仿真</translation>
     </message>
     <message>
         <source>Control loop</source>
@@ -10173,7 +10173,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>查找阶跃</translation>
     </message>
     <message>
-        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <source>Searches the recording for steps of the set point and of the output and fits a model of the process.</source>
         <translation>在记录中查找设定值和输出的阶跃，并建立过程模型。</translation>
     </message>
     <message>
@@ -10315,7 +10315,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请至少选择一个阶跃。</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process; choose another rule.</source>
+        <source>The rule does not apply to this process; choose another rule.</source>
         <translation>该规则不适合此过程；请选择其他规则。</translation>
     </message>
     <message>
@@ -10423,11 +10423,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>已还原：%1</translation>
     </message>
     <message>
-        <source>What the model leaves</source>
-        <translation>模型未解释的部分</translation>
+        <source>Residuals of the model</source>
+        <translation>模型残差</translation>
     </message>
     <message>
-        <source>recorded less model</source>
+        <source>recorded minus model</source>
         <translation>记录值减模型值</translation>
     </message>
     <message>
@@ -10487,7 +10487,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>响应</translation>
     </message>
     <message>
-        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <source>Start the controller or open a recording to search it for steps.</source>
         <translation>请启动控制器或打开记录；将在其中查找阶跃。</translation>
     </message>
     <message>
@@ -10655,23 +10655,23 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>变量或表达式，例如 Main.level &gt; 80</translation>
     </message>
     <message>
-        <source>What is asked about</source>
-        <translation>询问的对象</translation>
+        <source>Variable or expression to explain</source>
+        <translation>要解释的变量或表达式</translation>
     </message>
     <message>
         <source>Why?</source>
         <translation>为什么？</translation>
     </message>
     <message>
-        <source>What changed it, and what that needed</source>
-        <translation>什么改变了它，以及所需的条件</translation>
+        <source>What changed it, and what had to hold</source>
+        <translation>什么改变了它，以及必须满足的条件</translation>
     </message>
     <message>
         <source>Why Not?</source>
         <translation>为什么不？</translation>
     </message>
     <message>
-        <source>The smallest changes that would make the condition come out otherwise</source>
+        <source>The smallest changes that would change the result of the condition</source>
         <translation>使条件得出不同结果的最小更改</translation>
     </message>
     <message>
@@ -10695,11 +10695,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>在文本、监视、项目树、跟踪或画面中右键单击变量，询问其值的由来。</translation>
     </message>
     <message>
-        <source>Looking into the recorded scans…</source>
+        <source>Searching the recorded scans…</source>
         <translation>正在查看记录的扫描周期…</translation>
     </message>
     <message>
-        <source>There is no recording to ask yet: run the program first.</source>
+        <source>There is no recording yet: run the program first.</source>
         <translation>尚无记录：请先运行程序。</translation>
     </message>
     <message>
@@ -10728,8 +10728,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Do not wait for the answer (Esc)</source>
-        <translation>不再等待答案 (Esc)</translation>
+        <source>Cancel (Esc)</source>
+        <translation>取消 (Esc)</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>

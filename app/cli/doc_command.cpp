@@ -112,7 +112,7 @@ Command docCommand() {
              "Writes the reference of all libraries or of all diagnostics, the manual pages, or completions for bash "
              "and zsh.",
              {{"--out", "FOLDER", "where the files go (docs/library, docs, man1, completion)"},
-              {"--check", "", "of library and diagnostics: writes nothing; exit code 1 where a page is stale"}},
+              {"--check", "", "with library and diagnostics: writes nothing; exit code 1 if a page is out of date"}},
              "stepwise doc library --out /tmp/reference"},
             document};
 }

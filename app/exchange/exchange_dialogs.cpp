@@ -221,7 +221,7 @@ void ImportDialog::showProjects() {
         if (areSeveral) {
             parent = new QTreeWidgetItem(m_files, {QString::fromStdString(project.name)});
             parent->setCheckState(0, Qt::Checked);
-            parent->setToolTip(0, tr("Becomes a project of its own, with the libraries it uses"));
+            parent->setToolTip(0, tr("Becomes a separate project with the libraries it uses"));
         }
         for (const exchange::ImportedFile& file : project.files)
             new QTreeWidgetItem(parent, {QString::fromStdString(file.path)});

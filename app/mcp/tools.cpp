@@ -50,14 +50,14 @@ const std::vector<Tool>& tools() {
           {"filter", FieldType::Text, "--filter", "only tests whose title holds this text (* and ? are wildcards)"},
           kLibraries}},
         {"why",
-         "Explains the value of an ST expression at a moment of a run or recording: what changed it, what that needed; "
-         "or, with `not`, what would have made the condition come out otherwise. Each answer was tried out.",
+         "Explains the value of an ST expression at a moment of a run or recording: what changed it, what had to hold; "
+         "or, with `not`, what would have changed the result of the condition. Each answer is verified.",
          {"why", "--format", "json"},
          Picture::None,
          {{"project", FieldType::Text, "", "folder of the project, an ST file, or a recording", true},
           {"expression", FieldType::Text, "", "what is asked about, for example IO.K1", true},
           {"at", FieldType::Text, "--at", "the moment: a PLC time such as 1.5s, or a scan number (default: the last)"},
-          {"not", FieldType::Flag, "--not", "what would make the condition come out otherwise"},
+          {"not", FieldType::Flag, "--not", "what would change the result of the condition"},
           kSet,
           kForce,
           kFor,

@@ -162,11 +162,11 @@ void Attachment::showState() {
     m_button->setVisible(state != State::Detached);
     const bool isLost = state == State::Lost;
     m_button->setIcon(kit::icon(isLost ? kit::Icon::Warning : kit::Icon::Link));
-    m_button->setText(isLost                     ? tr("%1 is lost – connecting again…").arg(place)
+    m_button->setText(isLost                     ? tr("Connection to %1 lost – reconnecting…").arg(place)
                       : state == State::Attached ? tr("%1 at %2").arg(m_run.controller().project(), place)
                                                  : tr("Attaching to %1…").arg(place));
     m_button->setToolTip(isLost ? kit::messageText(m_run.controller().problem())
-                                : tr("The controller runs there; what is written and forced here acts there"));
+                                : tr("The controller runs remotely; values written and forced here take effect there"));
 }
 
 QList<QPair<QString, QString>> Attachment::recent() {

@@ -110,10 +110,10 @@ void InsideViews::coverRecording() {
             if (const auto look = bench.insight.look(at - 1)) coverage.add(**look);
         return [this, program, all = coverage.functions(), scans = statistics.end - at, of = statistics.scans] {
             showCoverage(program, all);
-            emit message(tr("Coverage of the newest %1 of %2 recorded scans").arg(scans).arg(of), false);
+            emit message(tr("Coverage of the latest %1 of %2 recorded scans").arg(scans).arg(of), false);
         };
     });
-    if (!isAsked) emit message(tr("There is no recording to ask yet: run the program first."), true);
+    if (!isAsked) emit message(tr("There is no recording yet: run the program first."), true);
 }
 
 // ------------------------------------------------------------------ what is asked

@@ -21,10 +21,9 @@ WhatIfDialog::WhatIfDialog(const editor::RunControl& control, const QStringList&
                            kit::CompletionSource complete, QWidget* parent)
     : QDialog(parent), m_control(control) {
     setWindowTitle(tr("What If?"));
-    auto* explained = new QLabel(
-        tr("The controller goes back to the scan that is shown and runs on from there with these values. The "
-           "trace draws what happened before beneath it."),
-        this);
+    auto* explained = new QLabel(tr("The controller goes back to the scan shown and continues from there with these "
+                                    "values. The trace draws what really happened behind the new curves."),
+                                 this);
     explained->setWordWrap(true);
     m_input = new kit::ExpressionEdit(this);
     m_input->setObjectName("whatIfVariable");
@@ -50,7 +49,7 @@ WhatIfDialog::WhatIfDialog(const editor::RunControl& control, const QStringList&
     red.setColor(QPalette::WindowText, kit::colors().bad);
     m_problem->setPalette(red);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Run From Here"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Run from Here"));
     connect(buttons, &QDialogButtonBox::accepted, this, &WhatIfDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* row = new QHBoxLayout;
@@ -100,7 +99,7 @@ void WhatIfDialog::accept() {
     for (const auto& [path, value] : changes())
         if (const auto parsed = m_control.parse(path, value); !parsed)
             return m_problem->setText(kit::messageText(parsed.error()));
-    if (changes().empty()) return m_problem->setText(tr("Give at least one variable another value"));
+    if (changes().empty()) return m_problem->setText(tr("Enter a different value for at least one variable"));
     QDialog::accept();
 }
 

@@ -34,9 +34,9 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
     };
     add(before, toSt ? tr("Instruction list (current text)") : tr("ST (current text)"));
     add(after, toSt ? tr("The same as ST") : tr("The same as an instruction list"));
-    auto* note = new QLabel(
-        tr("Both give the same results. Replacing is one step of undo; comments stay, each above its statement."),
-        this);
+    auto* note = new QLabel(tr("Both give the same results. Replacing can be undone in one step; comments are kept, "
+                               "each above its statement."),
+                            this);
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(this);
     QPushButton* replace = buttons->addButton(tr("Replace the Text"), QDialogButtonBox::AcceptRole);

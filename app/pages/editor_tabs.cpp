@@ -302,8 +302,8 @@ bool EditorTabs::saveAsking(const QString& file) {
     auto wanted = editor::Workspace::ReadOnly::Keep;
     if (m_workspace.isReadOnly(file) && m_workspace.text(file) != m_workspace.savedText(file)) {
         QMessageBox box(QMessageBox::Warning, tr("Read-only file"),
-                        tr("%1 is read-only. Replace it all the same? It stays read-only.").arg(file),
-                        QMessageBox::Cancel, this);
+                        tr("%1 is read-only. Replace it anyway? It stays read-only.").arg(file), QMessageBox::Cancel,
+                        this);
         QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
         box.setDefaultButton(QMessageBox::Cancel);
         box.exec();

@@ -34,7 +34,7 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
     m_panelChoice->setAccessibleName(tr("Panel shown"));
     m_panelChoice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     bar->addWidget(m_panelChoice);
-    connect(bar->addAction(kit::icon(kit::Icon::FullScreen), tr("Full screen (Esc ends it)")), &QAction::triggered,
+    connect(bar->addAction(kit::icon(kit::Icon::FullScreen), tr("Full screen (Esc to exit)")), &QAction::triggered,
             this, [this] {
                 if (m_player) m_player->setFullScreen(true);
             });

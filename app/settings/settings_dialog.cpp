@@ -168,7 +168,7 @@ void SettingsDialog::markConflicts() {
         m_shortcuts->item(row, 0)->setForeground(winner >= 0 ? kit::colors().bad : kit::colors().text);
         m_shortcuts->item(row, 0)->setToolTip(winner >= 0 ? tr("Another action has the same shortcut") : QString());
         if (winner >= 0)
-            lost << tr("%1 now belongs to “%2”; “%3” loses it.")
+            lost << tr("%1 is now assigned to “%2” instead of “%3”.")
                         .arg(keysOf(row)->keySequence().toString(QKeySequence::NativeText), name(winner), name(row));
     }
     m_conflict->setText(lost.join('\n'));

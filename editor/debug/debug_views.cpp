@@ -253,7 +253,7 @@ void BreakpointView::reload() {
         if (!each.hasCode) {
             item->setForeground(0, kit::colors().muted);
             item->setToolTip(
-                0, tr("The program that runs has no code at this line or below it; choose a line with a statement"));
+                0, tr("The running program has no code at or below this line; choose a line with a statement"));
         }
         item->setCheckState(0, each.isEnabled ? Qt::Checked : Qt::Unchecked);
         item->setData(0, Qt::UserRole, each.file);
@@ -393,7 +393,7 @@ EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_co
     m_tree->setColumnWidth(1, 110);
     m_tree->setColumnWidth(2, 80);
     connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Clear")), &QAction::triggered, m_tree, &QTreeWidget::clear);
-    QAction* copyRows = bar->addAction(kit::icon(kit::Icon::Copy), tr("Copy the selected rows, else all"));
+    QAction* copyRows = bar->addAction(kit::icon(kit::Icon::Copy), tr("Copy the selected rows, or all rows"));
     connect(copyRows, &QAction::triggered, this, &EventLog::copy);
     auto* copyKey = new QAction(kit::icon(kit::Icon::Copy), tr("Copy"), m_tree);
     copyKey->setShortcut(QKeySequence::Copy);
@@ -401,7 +401,7 @@ EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_co
     connect(copyKey, &QAction::triggered, this, &EventLog::copy);
     m_tree->addAction(copyKey);
     m_tree->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_problemsOnly = bar->addAction(kit::icon(kit::Icon::Warning), tr("Only faults and refusals"));
+    m_problemsOnly = bar->addAction(kit::icon(kit::Icon::Warning), tr("Only faults and rejections"));
     m_problemsOnly->setCheckable(true);
     connect(m_problemsOnly, &QAction::toggled, this, &EventLog::filterAll);
     m_filter = new QLineEdit(bar);

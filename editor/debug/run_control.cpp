@@ -142,7 +142,7 @@ void RunControl::watchOptimising(std::shared_ptr<Progress> now) {
     const std::shared_ptr<Progress> before = std::exchange(m_optimising, std::move(now));
     if (before) {
         emit workEnded(before);
-        if (before->isCancelled()) emit messageAdded(tr("Not optimised: the quick code goes on"), false);
+        if (before->isCancelled()) emit messageAdded(tr("Not optimised: the quick code keeps running"), false);
     }
     if (m_optimising) emit workBegan(tr("Optimising"), m_optimising);
 }
@@ -339,8 +339,9 @@ void RunControl::onlineChange() {
     buildAside([this](const std::shared_ptr<driver::Built>& built) {
         if (built->program) adopt(built, true);
         emit buildFinished(built->program != nullptr,
-                           built->program ? tr("The change waits for the end of the scan")
-                                          : tr("The program has errors; the controller goes on with the old one"));
+                           built->program
+                               ? tr("The change waits for the end of the scan")
+                               : tr("The program has errors; the controller continues with the old program"));
     });
 }
 

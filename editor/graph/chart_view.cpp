@@ -106,7 +106,7 @@ void ChartView::setText(const std::string& text) {
     for (const diagnostics::Diagnostic& d : sink.all())
         if (d.severity == diagnostics::Severity::Error && d.range.begin >= place.pou->range.begin &&
             d.range.begin <= place.pou->range.end)
-            return showStale(tr("The text has errors: this is the last good drawing"));
+            return showStale(tr("The text has errors: this is the last valid drawing"));
     if (!place) return showNoChart(text);
     m_begin->hide();
     showFresh();

@@ -146,7 +146,7 @@ void GraphView::showFresh() {
 }
 
 void GraphView::request(const Result<Edits>& edits, const QString& selectAfter) {
-    if (m_isStale) return emit failed(tr("Fix the text first: this is the last good drawing"));
+    if (m_isStale) return emit failed(tr("Fix the text first: this is the last valid drawing"));
     if (!edits) return emit failed(kit::messageText(edits.error()));
     if (edits->empty()) return;
     m_selectAfter = selectAfter;

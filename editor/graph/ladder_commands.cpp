@@ -67,7 +67,7 @@ bool isContact(const Node& node) {
 
 bool LadderView::canEdit() {
     if (m_syntax && !m_isStale) return true;
-    emit failed(tr("Fix the text first: this is the last good drawing"));
+    emit failed(tr("Fix the text first: this is the last valid drawing"));
     return false;
 }
 

@@ -51,7 +51,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_F2, Qt::ShiftModifier, &LadderView::renameSelected,
      QT_TRANSLATE_NOOP("plc::editor::LadderView", "Rename the variable everywhere")},
     {Qt::Key_F12, Qt::NoModifier, &LadderView::definitionOfSelected,
-     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Go to the declaration")},
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Go to the definition")},
     {Qt::Key_F12, Qt::ShiftModifier, &LadderView::usesOfSelected,
      QT_TRANSLATE_NOOP("plc::editor::LadderView", "References to the variable")},
     {Qt::Key_Return, Qt::AltModifier, &LadderView::fixSelected,

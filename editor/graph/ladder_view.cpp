@@ -101,7 +101,7 @@ void LadderView::setText(const std::string& text) {
     for (const diagnostics::Diagnostic& d : sink.all())
         if (m_syntax && d.severity == diagnostics::Severity::Error && d.range.begin >= place.range.begin &&
             d.range.begin <= place.range.end)
-            return showStale(tr("The text has errors: this is the last good drawing"));
+            return showStale(tr("The text has errors: this is the last valid drawing"));
     showFresh();
     closeField(false);
     // The tree views the text: both are replaced together.

@@ -44,7 +44,7 @@ SlowScanView::SlowScanView(InsideDesk& desk, RunControl& control, QWidget* paren
         action->setObjectName(name);
         m_moves << action;
     };
-    add(Icon::Back, tr("Back to the breakpoint before, or to the scan's first statement"), "slowReverse",
+    add(Icon::Back, tr("Back to the previous breakpoint or to the first statement of the scan"), "slowReverse",
         [this] { reverseContinue(); });
     add(Icon::PreviousChange, tr("Back out of the call"), "slowBackOut", [this] { stepBack(Step::Out); });
     add(Icon::Undo, tr("Back over calls"), "slowBackOver", [this] { stepBack(Step::Over); });
@@ -53,12 +53,12 @@ SlowScanView::SlowScanView(InsideDesk& desk, RunControl& control, QWidget* paren
     add(Icon::StepInto, tr("Step in"), "slowIn", [this] { step(Step::In); });
     add(Icon::StepOver, tr("Step over"), "slowOver", [this] { step(Step::Over); });
     add(Icon::StepOut, tr("Step out"), "slowOut", [this] { step(Step::Out); });
-    add(Icon::Forward, tr("On to the next breakpoint, or to the scan's end"), "slowOn", [this] { goOn(); });
+    add(Icon::Forward, tr("Forward to the next breakpoint or to the end of the scan"), "slowOn", [this] { goOn(); });
     bar->addSeparator();
     add(Icon::Close, tr("End the walk"), "slowClose", [this] { close(); });
     m_state = new QLabel(this);
     m_state->setWordWrap(true);
-    m_state->setAccessibleName(tr("Where the walk stands"));
+    m_state->setAccessibleName(tr("Current position of the walk"));
     m_frames = makeTree({tr("Call"), tr("Instance"), tr("Line")}, "slowFrames", this);
     m_frames->setRootIsDecorated(false);
     m_frames->setAccessibleName(tr("Call path"));

@@ -56,7 +56,7 @@ WhyView::WhyView(InsideDesk& desk, RunControl& control, QWidget* parent)
     m_input = new kit::ExpressionEdit(this);
     m_input->setObjectName("whyExpression");
     m_input->setPlaceholderText(tr("A variable or an expression, such as Main.level > 80"));
-    m_input->setAccessibleName(tr("What is asked about"));
+    m_input->setAccessibleName(tr("Variable or expression to explain"));
     const auto button = [this](const QString& text, const QString& tip, const char* name, kit::AskWhy question) {
         auto* made = new QToolButton(this);
         made->setText(text);
@@ -65,14 +65,14 @@ WhyView::WhyView(InsideDesk& desk, RunControl& control, QWidget* parent)
         connect(made, &QToolButton::clicked, this, [this, question] { askAgain(question); });
         return made;
     };
-    m_why = button(tr("Why?"), tr("What changed it, and what that needed"), "why", kit::AskWhy::Why);
-    m_whyNot = button(tr("Why Not?"), tr("The smallest changes that would make the condition come out otherwise"),
+    m_why = button(tr("Why?"), tr("What changed it, and what had to hold"), "why", kit::AskWhy::Why);
+    m_whyNot = button(tr("Why Not?"), tr("The smallest changes that would change the result of the condition"),
                       "whyNot", kit::AskWhy::WhyNot);
     m_who = button(tr("Who Set This?"), tr("All changes in the recording, and what made each of them"), "who",
                    kit::AskWhy::Who);
     m_cancel = new QToolButton(this);
     m_cancel->setText(tr("Cancel"));
-    m_cancel->setToolTip(tr("Do not wait for the answer (Esc)"));
+    m_cancel->setToolTip(tr("Cancel (Esc)"));
     m_cancel->setObjectName("whyCancel");
     m_cancel->hide();
     connect(m_cancel, &QToolButton::clicked, this, &WhyView::cancel);
@@ -171,9 +171,9 @@ void WhyView::ask(kit::AskWhy question, const QString& expression, const QString
         });
     setWaiting(isAsked);
     if (isAsked)
-        showState(tr("Looking into the recorded scans…"), false);
+        showState(tr("Searching the recorded scans…"), false);
     else
-        showState(tr("There is no recording to ask yet: run the program first."), true);
+        showState(tr("There is no recording yet: run the program first."), true);
 }
 
 WhyView::Answer WhyView::answerOf(InsideDesk::Bench& bench, const Asked& asked, const inside::Question& question) {

@@ -99,7 +99,7 @@ std::vector<double> valuesAt(const waveform::Samples& of, const std::vector<doub
 FigureAnswer xyOf(const FigureJob& job) {
     if (job.channels.size() < 2)
         return emptyAnswer(
-            FigureText::tr("An XY plot draws one channel over another: add a second channel to the trace."));
+            FigureText::tr("An XY plot draws one channel against another: add a second channel to the trace."));
     const FigureChannel& x = job.channels.front();
     Chart chart;
     chart.title = FigureText::tr("XY plot").toStdString();
@@ -111,7 +111,7 @@ FigureAnswer xyOf(const FigureJob& job) {
         chart.curves.push_back(std::move(curve));
     }
     return {
-        {{std::move(chart)}, FigureText::tr("There are no samples in view: run the program or show another stretch.")},
+        {{std::move(chart)}, FigureText::tr("There are no samples in view: run the program or show another section.")},
         FigureText::tr("%L1 points over %2").arg(x.samples.size()).arg(QString::fromStdString(named(x)))};
 }
 
@@ -212,11 +212,11 @@ FigureAnswer responseAnswer(const FigureJob& job) {
 
 FigureAnswer runsAnswer(const FigureJob& job) {
     if (!job.hasTrigger)
-        return emptyAnswer(FigureText::tr("Runs are laid over each other at their triggers: enter a trigger in the "
-                                          "properties of the trace."));
+        return emptyAnswer(
+            FigureText::tr("Runs are overlaid at their triggers: enter a trigger in the properties of the trace."));
     if (job.starts.empty()) return emptyAnswer(FigureText::tr("The trigger has not fired in this recording yet."));
     if (job.channels.empty())
-        return emptyAnswer(FigureText::tr("Runs of the visible channels are laid over each other: add a channel."));
+        return emptyAnswer(FigureText::tr("The runs of the visible channels are overlaid: add a channel."));
     FigureAnswer out;
     QStringList lines{FigureText::tr("%n run(s)", nullptr, static_cast<int>(job.starts.size()))};
     constexpr size_t kBandPoints = 400;

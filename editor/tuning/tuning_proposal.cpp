@@ -64,7 +64,7 @@ void TuningView::propose() {
     }
     m_formula->setText(kit::fromView(formula(process)));
     QStringList words;
-    if (!m_proposal) words << tr("The rule has no answer for this process; choose another rule.");
+    if (!m_proposal) words << tr("The rule does not apply to this process; choose another rule.");
     if (m_proposal)
         words << kit::messageText(robustnessWords(*m_proposal)) << kit::messageText(overshootWords(*m_proposal));
     if (const Message caution = cautionOf(rule); !caution.isEmpty()) words << kit::messageText(caution);
@@ -116,14 +116,14 @@ void TuningView::showCharts() {
     const tuning::Study& study = m_finding->study;
     const auto index = std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), study.models.size() - 1);
     waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
-    waveform::Chart residual{tr("What the model leaves").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
+    waveform::Chart residual{tr("Residuals of the model").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     for (size_t i = 0; i < study.used.size(); ++i) {
         const auto times = timesOf(m_finding->series, study.steps[study.used[i]], study.excerpts[i]);
         const auto name = [&](const QString& what) { return i == 0 ? what.toStdString() : std::string(); };
         data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, waveform::CurveStyle::Dots});
         data.curves.push_back(
             {name(tr("model")), times, study.models[index].simulated[i], 0, waveform::CurveStyle::Line});
-        waveform::Curve left{name(tr("recorded less model")), times, {}, 1, waveform::CurveStyle::Line};
+        waveform::Curve left{name(tr("recorded minus model")), times, {}, 1, waveform::CurveStyle::Line};
         for (size_t s = 0; s < std::min(study.excerpts[i].output.size(), study.models[index].simulated[i].size()); ++s)
             left.y.push_back(study.excerpts[i].output[s] - study.models[index].simulated[i][s]);
         residual.curves.push_back(std::move(left));

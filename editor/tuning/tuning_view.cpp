@@ -84,7 +84,7 @@ QWidget* TuningView::makeHead() {
     m_find = new QPushButton(kit::icon(kit::Icon::Trigger), tr("Find Steps"), head);
     m_find->setObjectName("tuningFind");
     m_find->setToolTip(
-        tr("Looks for steps of the set point and of the output in the recording and makes a model of the process."));
+        tr("Searches the recording for steps of the set point and of the output and fits a model of the process."));
     m_state = new QLabel(head);
     m_state->setObjectName("tuningState");
     m_write = new QPushButton(kit::icon(kit::Icon::Write), tr("Write Parameters"), head);
@@ -189,7 +189,7 @@ QWidget* TuningView::makeCharts() {
     m_load = figure(tr("Response to a disturbance"));
     m_bode = figure(tr("Bode plot"));
     m_bode->setObjectName("tuningBode");
-    m_trial = figure(tr("Trial with the block itself"));
+    m_trial = figure(tr("Simulation with the actual block"));
     m_data->setObjectName("tuningData");
     m_trial->setObjectName("tuningTrial");
     m_setPoint->setObjectName("tuningSetPoint");
@@ -218,7 +218,7 @@ void TuningView::listLoops() {
         for (const loops::Loop& loop : loops::loopsOf(*m_listed)) m_loop->addItem(kit::fromView(loop.name));
     if (const int index = m_loop->findText(before); index >= 0) m_loop->setCurrentIndex(index);
     if (!m_isSearching)
-        m_state->setText(!run ? tr("Start the controller or open a recording; it is looked at for steps.")
+        m_state->setText(!run                   ? tr("Start the controller or open a recording to search it for steps.")
                          : m_loop->count() == 0 ? tr("The program has no controller block; call one, for example PID.")
                                                 : QString());
     refreshButtons();

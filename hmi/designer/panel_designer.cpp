@@ -59,6 +59,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     m_findingList->setHeaderLabels({tr("Issue"), tr("Element"), tr("Language")});
     m_findingList->setRootIsDecorated(false);
     m_findingList->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_findingList->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_findingList->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
     m_findingList->header()->setStretchLastSection(false);
     auto* middle = new QSplitter(Qt::Vertical);
     middle->addWidget(m_pages);

@@ -24,7 +24,7 @@ struct LibraryText {
 constexpr LibraryText libraryTexts[] = {
     {"analog", "Analog", "Analog signal processing and the example blocks of IEC 61131-3 Annex F."},
     {"plant", "Plant",
-     "Processes to control, for the simulation programs of a project. All of them run by the controller's clock, "
+     "Processes to control, for the simulation programs of a project. All of them use the controller's clock, "
      "whatever the cycle time."},
     {"standard", "Standard", "The standard function blocks and functions of IEC 61131-3. Every project has them."},
     {"toolbox", "Toolbox",
@@ -33,9 +33,9 @@ constexpr LibraryText libraryTexts[] = {
     {"util", "Util",
      "Signal generators, characteristic curve, ramps, statistics, controllers and bit functions, with the names and "
      "pins of CODESYS Util. "
-     "Its BCD functions (BCD_TO_INT, INT_TO_BCD and their kin) are standard functions here."},
+     "Its BCD functions (BCD_TO_INT, INT_TO_BCD and so on) are standard functions here."},
     {"workshop", "Workshop",
-     "Small blocks as books on Structured Text build them: edges, timing, buffers, random numbers, waves."},
+     "Small blocks like those in books on Structured Text: edges, timing, buffers, random numbers, waves."},
 };
 
 std::string escaped(std::string_view text) {

@@ -52,9 +52,9 @@ void addNumeric(Table& table) {
     function("SIN", Intrinsic::Sin, "Sine of an angle in radians");
     function("COS", Intrinsic::Cos, "Cosine of an angle in radians");
     function("TAN", Intrinsic::Tan, "Tangent of an angle in radians");
-    function("ASIN", Intrinsic::Asin, "Angle in radians whose sine is IN");
-    function("ACOS", Intrinsic::Acos, "Angle in radians whose cosine is IN");
-    function("ATAN", Intrinsic::Atan, "Angle in radians whose tangent is IN");
+    function("ASIN", Intrinsic::Asin, "Arc sine in radians");
+    function("ACOS", Intrinsic::Acos, "Arc cosine in radians");
+    function("ATAN", Intrinsic::Atan, "Arc tangent in radians");
     function("SINH", Intrinsic::Sinh, "Hyperbolic sine");
     function("COSH", Intrinsic::Cosh, "Hyperbolic cosine");
     function("TANH", Intrinsic::Tanh, "Hyperbolic tangent");
@@ -73,7 +73,7 @@ void addNumeric(Table& table) {
         table.push_back(intrinsic(name, {any("IN", Generic::AnyNum)}, Rule::FixedResult, code, summary, result));
     };
     cut("TRUNC", Intrinsic::Trunc, TypeKind::Dint,
-        "Whole part of IN, towards zero, in the type wanted (DINT where none is)");
+        "Whole part of IN, towards zero, in the expected type (DINT if there is none)");
     cut("TRUNC_INT", Intrinsic::Trunc, TypeKind::Int, "Whole part of IN as INT, towards zero");
     cut("TRUNC_DINT", Intrinsic::Trunc, TypeKind::Dint, "Whole part of IN as DINT, towards zero");
     cut("TRUNC_LINT", Intrinsic::Trunc, TypeKind::Lint, "Whole part of IN as LINT, towards zero");
@@ -124,7 +124,7 @@ void addBits(Table& table) {
 /// Tables 27 and 28 (edition 2): selection and comparison.
 void addSelection(Table& table) {
     table.push_back(intrinsic("SEL", {fixed("G", TypeKind::Bool), any("IN0", Generic::Any), any("IN1", Generic::Any)},
-                              Rule::SecondOperand, Intrinsic::Sel, "IN1 where G is TRUE, else IN0"));
+                              Rule::SecondOperand, Intrinsic::Sel, "IN1 if G is TRUE, otherwise IN0"));
     const auto first = any("IN1", Generic::AnyElementary, {"IN"}), second = any("IN2", Generic::AnyElementary);
     table.push_back(extensible(intrinsic("MAX", {first, second}, Rule::Common, Intrinsic::Max, "Greatest operand")));
     table.push_back(extensible(intrinsic("MIN", {first, second}, Rule::Common, Intrinsic::Min, "Least operand")));
@@ -134,17 +134,17 @@ void addSelection(Table& table) {
                               Rule::Common, Intrinsic::Limit, "IN, but not below MN and not above MX"));
     table.push_back(extensible(intrinsic(
         "MUX", {any("K", Generic::AnyInt), any("IN0", Generic::Any), any("IN1", Generic::Any)}, Rule::SecondOperand,
-        Intrinsic::Mux, "The operand numbered K from 0; the first or last where K lies outside")));
+        Intrinsic::Mux, "The operand numbered K from 0; the first or last if K is out of range")));
     const auto compare = [&](std::string_view name, std::string_view spelling, std::string_view summary) {
         table.push_back(extensible(operation(name, {first, second}, Rule::Compare, spelling, summary, TypeKind::Bool)));
     };
-    compare("GT", ">", "TRUE where each operand is greater than the next");
-    compare("GE", ">=", "TRUE where no operand is less than the next");
-    compare("EQ", "=", "TRUE where all operands are equal");
-    compare("LE", "<=", "TRUE where no operand is greater than the next");
-    compare("LT", "<", "TRUE where each operand is less than the next");
+    compare("GT", ">", "TRUE if each operand is greater than the next");
+    compare("GE", ">=", "TRUE if no operand is less than the next");
+    compare("EQ", "=", "TRUE if all operands are equal");
+    compare("LE", "<=", "TRUE if no operand is greater than the next");
+    compare("LT", "<", "TRUE if each operand is less than the next");
     table.push_back(operation("NE", {any("IN1", Generic::Any), any("IN2", Generic::Any)}, Rule::Compare, "<>",
-                              "TRUE where the operands differ", TypeKind::Bool));
+                              "TRUE if the operands differ", TypeKind::Bool));
 }
 
 /// Table 29 (edition 2), with the parameter names of the IEC, of CODESYS and of TwinCAT, and the W-forms for WSTRING.
@@ -171,32 +171,34 @@ void addText(Table& table) {
         table.push_back(intrinsic(name("MID", "WMID"), {in, length, position}, Rule::FirstOperand, Intrinsic::Mid,
                                   "L characters from position P (the first is 1)"));
         table.push_back(extensible(intrinsic(name("CONCAT", "WCONCAT"), {in1, in2}, Rule::Common, Intrinsic::Concat,
-                                             "All texts one behind the other")));
+                                             "Concatenation of all strings")));
         table.push_back(intrinsic(name("INSERT", "WINSERT"), {in1, in2, position}, Rule::FirstOperand,
-                                  Intrinsic::Insert, "IN2 put into IN1 behind position P; 0 puts it in front"));
+                                  Intrinsic::Insert,
+                                  "IN1 with IN2 inserted after position P; 0 inserts it at the front"));
         table.push_back(intrinsic(name("DELETE", "WDELETE"), {in, length, position}, Rule::FirstOperand,
                                   Intrinsic::Delete, "IN without L characters from position P"));
         table.push_back(intrinsic(name("REPLACE", "WREPLACE"), {in1, in2, length, position}, Rule::FirstOperand,
                                   Intrinsic::Replace, "IN1 with L characters from position P replaced by IN2"));
         table.push_back(intrinsic(name("FIND", "WFIND"), {in1, in2}, Rule::FixedResult, Intrinsic::Find,
-                                  "Position of the first IN2 in IN1, 0 where there is none", TypeKind::Int));
+                                  "Position of the first IN2 in IN1, 0 if there is none", TypeKind::Int));
     }
     const auto text = any("IN", Generic::AnyText, {"STR", "IN1"});
     for (const std::string_view name : {"TO_UPPER", "TOUPPER", "UPPER_CASE", "F_TOUCASE"})
-        table.push_back(intrinsic(name, {text}, Rule::FirstOperand, Intrinsic::ToUpper, "IN in capital letters"));
+        table.push_back(intrinsic(name, {text}, Rule::FirstOperand, Intrinsic::ToUpper, "IN in upper case"));
     for (const std::string_view name : {"TO_LOWER", "TOLOWER", "LOWER_CASE", "F_TOLCASE"})
-        table.push_back(intrinsic(name, {text}, Rule::FirstOperand, Intrinsic::ToLower, "IN in small letters"));
-    table.push_back(intrinsic("TRIM", {text}, Rule::FirstOperand, Intrinsic::Trim, "IN without blanks at its ends"));
+        table.push_back(intrinsic(name, {text}, Rule::FirstOperand, Intrinsic::ToLower, "IN in lower case"));
+    table.push_back(
+        intrinsic("TRIM", {text}, Rule::FirstOperand, Intrinsic::Trim, "IN without leading and trailing spaces"));
     for (const std::string_view name : {"ISNUMBER", "IS_NUMBER", "IS_NUMERIC"})
         table.push_back(intrinsic(name, {text}, Rule::FixedResult, Intrinsic::IsNumber,
-                                  "TRUE where all of IN reads as one number", TypeKind::Bool));
+                                  "TRUE if the whole of IN is a number", TypeKind::Bool));
     for (const std::string_view name : {"F_TOASC", "ASC"})
         table.push_back(intrinsic(name, {any("IN", Generic::AnyText, {"STR", "CH"})}, Rule::FixedResult,
                                   Intrinsic::AsciiOf, "Code of the first character, 0 for an empty text",
                                   TypeKind::Byte));
     for (const std::string_view name : {"F_TOCHR", "CHR"})
         table.push_back(intrinsic(name, {any("IN", Generic::AnyInt, {"C", "CODE"})}, Rule::FixedResult,
-                                  Intrinsic::CharOf, "Text of the one character with this code", TypeKind::String));
+                                  Intrinsic::CharOf, "String with the character that has this code", TypeKind::String));
 }
 
 /// Table 30 (edition 2), tables 34 to 36 (edition 3).
@@ -245,21 +247,21 @@ void addTimes(Table& table) {
     const std::vector<Parameter> time{whole("HOUR"), whole("MINUTE"), whole("SECOND"), whole("MILLISECOND")};
     std::vector<Parameter> both = date;
     both.insert(both.end(), time.begin(), time.end());
-    table.push_back(
-        intrinsic("CONCAT_DATE", date, Rule::FixedResult, Intrinsic::ConcatDate, "Date of year, month and day", Date));
+    table.push_back(intrinsic("CONCAT_DATE", date, Rule::FixedResult, Intrinsic::ConcatDate,
+                              "Date from year, month and day", Date));
     table.push_back(intrinsic("CONCAT_LDATE", date, Rule::FixedResult, Intrinsic::ConcatDate,
-                              "Date of year, month and day", Ldate));
+                              "Date from year, month and day", Ldate));
     table.push_back(
-        intrinsic("CONCAT_TOD", time, Rule::FixedResult, Intrinsic::ConcatTod, "Time of day of its parts", Tod));
+        intrinsic("CONCAT_TOD", time, Rule::FixedResult, Intrinsic::ConcatTod, "Time of day from its parts", Tod));
     table.push_back(
-        intrinsic("CONCAT_LTOD", time, Rule::FixedResult, Intrinsic::ConcatTod, "Time of day of its parts", Ltod));
+        intrinsic("CONCAT_LTOD", time, Rule::FixedResult, Intrinsic::ConcatTod, "Time of day from its parts", Ltod));
     table.push_back(
-        intrinsic("CONCAT_DT", both, Rule::FixedResult, Intrinsic::ConcatDt, "Date and time of its parts", Dt));
+        intrinsic("CONCAT_DT", both, Rule::FixedResult, Intrinsic::ConcatDt, "Date and time from its parts", Dt));
     table.push_back(
-        intrinsic("CONCAT_LDT", both, Rule::FixedResult, Intrinsic::ConcatDt, "Date and time of its parts", Ldt));
+        intrinsic("CONCAT_LDT", both, Rule::FixedResult, Intrinsic::ConcatDt, "Date and time from its parts", Ldt));
     const auto join = [&](std::string_view name, TypeKind day, TypeKind clock, TypeKind result) {
         table.push_back(intrinsic(name, {fixed("IN1", day, {"DATE"}), fixed("IN2", clock, {"TOD"})}, Rule::FixedResult,
-                                  Intrinsic::ConcatDateTod, "Date with a time of day", result));
+                                  Intrinsic::ConcatDateTod, "Date and time from a date and a time of day", result));
     };
     join("CONCAT_DATE_TOD", Date, Tod, Dt);
     join("CONCAT_DATE_LTOD", Date, Ltod, Ldt);
@@ -286,16 +288,16 @@ void addTimes(Table& table) {
     table.push_back(
         intrinsic("SCAN_NUMBER", {}, Rule::FixedResult, Intrinsic::ScanNumber, "Number of this scan, from 0", Ulint));
     table.push_back(intrinsic("TASK_PERIOD", {}, Rule::FixedResult, Intrinsic::TaskPeriod,
-                              "Interval of the running task, T#0s where it is not cyclic", Time));
+                              "Interval of the running task, T#0s if it is not cyclic", Time));
 }
 
 /// Edition 3, tables 22 (validity) and 39 (byte order), and reading one type's bits as another.
 void addRepresentation(Table& table) {
     using enum TypeKind;
     table.push_back(intrinsic("IS_VALID", {any("IN", Generic::AnyReal)}, Rule::FixedResult, Intrinsic::IsValid,
-                              "TRUE where IN is a finite number", Bool));
+                              "TRUE if IN is a finite number", Bool));
     table.push_back(intrinsic("IS_VALID_BCD", {any("IN", Generic::AnyBit)}, Rule::FixedResult, Intrinsic::IsValidBcd,
-                              "TRUE where every digit of IN is 0 to 9", Bool));
+                              "TRUE if every digit of IN is 0 to 9", Bool));
     for (const std::string_view name : {"TO_BIG_ENDIAN", "FROM_BIG_ENDIAN", "BIG_ENDIAN_TO", "SWAP"})
         table.push_back(intrinsic(name, {any("IN", Generic::AnyElementary)}, Rule::FirstOperand, Intrinsic::SwapBytes,
                                   "IN with its bytes in reverse order"));
@@ -327,18 +329,18 @@ void addSpecial(Table& table) {
         special("BITADR", {any("IN", Generic::Any)}, "Bit offset of a located variable within its area", Dword));
     table.push_back(special("INDEXOF", {any("IN", Generic::Any)}, "Number of a program unit", Dint));
     table.push_back(
-        special("__ISVALIDREF", {any("IN", Generic::Any)}, "TRUE where a reference refers to a variable", Bool));
+        special("__ISVALIDREF", {any("IN", Generic::Any)}, "TRUE if a reference refers to a variable", Bool));
     table.push_back(special("__QUERYINTERFACE", {any("FROM", Generic::Any), any("TO", Generic::Any)},
                             "TRUE where FROM's block implements TO's interface, which then is set", Bool));
     table.push_back(special("__NEW", {any("TYPE", Generic::Any)},
                             "Address of a new variable of a type; 0 when the project's memory for it is used up"));
-    table.push_back(special("__DELETE", {any("POINTER", Generic::Any)}, "Ends a variable that __NEW made"));
+    table.push_back(special("__DELETE", {any("POINTER", Generic::Any)}, "Deletes a variable created by __NEW"));
     table.push_back(special("__POUNAME", {}, "Name of the program unit that this is in", String));
     table.push_back(special("__POSITION", {}, "Where this is: the line, and the position in it", String));
     table.push_back(special("__VARINFO", {any("IN", Generic::Any)},
                             "Name, type, size and place of a variable, as an __SYSTEM.VAR_INFO"));
     table.push_back(special("TEST_AND_SET", {any("IN", Generic::Any)},
-                            "TRUE where IN was set before; IN is set in the same moment", Bool));
+                            "TRUE if IN was set before; IN is set at the same time", Bool));
     table.push_back(special("__QUERYPOINTER", {any("FROM", Generic::Any), any("TO", Generic::Any)},
                             "TRUE where FROM refers to a block, whose address TO then holds", Bool));
 }

@@ -1,6 +1,7 @@
 #include "tests/app/all_windows.h"
 
 #include "app/exchange/exchange_dialogs.h"
+#include "app/online/devices_view.h"
 #include "app/pages/editor_tabs.h"
 #include "app/pages/merge_dialog.h"
 #include "app/pages/st_page.h"
@@ -86,6 +87,10 @@ END_PROGRAM
 const char* const kAlarms = R"({"version": 1, "classes": [{"name": "fault", "title": "@fault"}],
   "alarms": [{"id": "1", "condition": "Main.done", "class": "fault", "text": "@hot"}]})";
 
+const char* const kDevices = R"({"devices": [{"name": "Pump", "protocol": "modbus-tcp", "host": "192.168.0.10",
+  "channels": [{"name": "Limit", "variable": "Main.limit", "address": 4},
+               {"name": "Done", "variable": "Main.done", "direction": "out", "table": "coil", "address": 0}]}]})";
+
 void write(const QString& path, const std::string& text) {
     QDir().mkpath(QFileInfo(path).path());
     QFile file(path);
@@ -162,6 +167,7 @@ void writeProjectOfAllKinds(const QString& folder) {
     write(folder + "/tests/first.st", "TEST 'turns'\nRUN T#20ms;\nASSERT Main.counter > 0;\nEND_TEST\n");
     write(folder + "/hmi/all.panel.json", panelOfAllKinds());
     write(folder + "/hmi/alarms.json", kAlarms);
+    write(folder + "/devices.json", kDevices);
     write(folder + "/hmi/texts.csv", "key,comment,en\nfault,,Fault\nhot,,Hot\nState.0,,Off\n");
 }
 
@@ -186,6 +192,12 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     ASSERT_TRUE(tests && waitFor([&] { return !tests->isRunning(); }));
     settle();
     look(window, "main window");
+    for (const char* dock : {"why", "tuning", "devices"}) {
+        window.showDock(dock);
+        if (dock == std::string("devices")) DevicesView::of(window).select("Pump");
+        settle();
+        look(window, dock);
+    }
     StPage* page = window.tabs().openFile("src/main.st");
     page->findBar().open(true);
     page->toggleTable();
@@ -252,6 +264,8 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
     lookAtDialog(look, "new trace", [&] { window.newTrace(); });
     lookAtDialog(look, "libraries", [&] { window.chooseLibraries(); });
     lookAtDialog(look, "about", [&] { window.about(); });
+    lookAtDialog(look, "attach", [&] { window.action("run.attach")->trigger(); });
+    lookAtDialog(look, "native program", [&] { window.action("run.native")->trigger(); });
     lookAtDialog(look, "import", [&] { window.action("file.import")->trigger(); });
     lookAtDialog(look, "export", [&] { window.action("file.export")->trigger(); });
     StPage* page = window.tabs().openFile("src/main.st");

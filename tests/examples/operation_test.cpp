@@ -83,7 +83,7 @@ TEST_P(Example, HasReadmeWithPicturesPanelTraceTestsAndFourLanguages) {
 
     const std::string readme = textOf(folder + "/README.md");
     EXPECT_TRUE(readme.starts_with("# "));
-    for (const std::string section : {"## What to watch", "## What to try", "## What one learns"})
+    for (const std::string section : {"## What to watch", "## What to try", "## What you learn"})
         EXPECT_NE(readme.find("\n" + section + "\n"), std::string::npos) << section;
     EXPECT_NE(readme.find("\n3. "), std::string::npos) << "three things to try";
     std::set<std::string> pictures;

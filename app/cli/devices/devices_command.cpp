@@ -99,11 +99,11 @@ int runDevices(const Arguments& arguments) {
 Command devicesCommand() {
     return {{"devices",
              "PROJECT [OPTIONS]",
-             "Lists and checks the devices of a project, proposes addresses, shows how they do.",
+             "Lists and checks the devices of a project, proposes addresses, shows their status.",
              {{"--propose", "", "addresses for channels without a variable, as a list of globals"},
               {"--write", "", "the same, and writes them to devices.json"},
               {"--live", "5s", "connects the inputs for that long, then shows state, figures and values"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+              {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"},
               {"--format", "text|json", "of --live: text (default) or JSON"}},
              "stepwise devices projects/examples/pump_well --live 5s"},
             runDevices};

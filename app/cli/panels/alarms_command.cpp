@@ -100,7 +100,7 @@ int runAlarms(const Arguments& arguments) {
 Command alarmsCommand() {
     return {{"alarms",
              "PROJECT [OPTIONS]",
-             "Prints the journal of alarms that the panels have kept, newest first, or what it says about them.",
+             "Prints the alarm journal of the panels, newest first, or its statistics.",
              {{"--alarm", "ID", "only this alarm (repeatable)"},
               {"--event", "raised|returned|acknowledged", "only this"},
               {"--limit", "N", "at most so many entries"},

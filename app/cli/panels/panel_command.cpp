@@ -198,10 +198,10 @@ Command panelCommand() {
     return {
         {"panel",
          "PROJECT [OPTIONS]",
-         "Checks the operator panels, makes pictures of them in every language, or plays them.",
+         "Checks the operator panels, makes pictures of them in every language, or runs them.",
          {{"--check", "", "what is wrong with panels, texts and alarms (this is what happens without options)"},
           {"--level", "off|basic|standard|strict",
-           "how strictly ISA-101 and ISA-18.2 are held, in place of project.json"},
+           "how strictly ISA-101 and ISA-18.2 are checked, instead of the level in project.json"},
           {"--rules", "", "list the rules of that check: code, name, level, why"},
           {"--fix", "", "correct what needs no decision"},
           {"--pseudo", "", "measure the texts of the pseudo-language too: longer and accented"},
@@ -209,7 +209,7 @@ Command panelCommand() {
           {"--pictures", "DIR", "a PNG of every panel in every language"},
           {"--language", "TAG", "only this language, or all (repeatable)"},
           {"--panel", "NAME", "only this panel (repeatable)"},
-          {"--at", "10s", "the pictures are of this moment of a run; the check compares bars and charts with that run"},
+          {"--at", "10s", "the pictures show this time in a run; the check compares bars and charts with that run"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
           {"--theme", "NAME", "another theme than the panel's own: light, dark, contrast, or one of hmi/themes"},
@@ -218,7 +218,7 @@ Command panelCommand() {
           {"--play", "", "run the controller and show the panel in a window"},
           {"--full-screen", "", "play on the whole screen"},
           {"--format-files", "", "write panels, texts and alarms in the canonical order"},
-          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+          {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"}},
          "stepwise panel projects/examples/alarm_texts --pictures out --language all --at 10s --set Panel.Start=TRUE"},
         runPanel};
 }

@@ -104,7 +104,8 @@ Command peopleCommand() {
               {"--start-panel", "NAME", "with --user: the panel after logging in"},
               {"--remove", "NAME", "removes the user"},
               {"--timeout", "SECONDS", "logs out after this time without a touch; 0 never"},
-              {"--audit", "", "the audit trail: who changed what from what to what, when; and whether it is whole"},
+              {"--audit", "",
+               "the audit trail: who changed what, when, from which value to which; and whether it is complete"},
               {"--csv", "FILE", "with --audit: into a file"}},
              "stepwise people projects/examples/motor --user anna --role operator --password"},
             runPeople};

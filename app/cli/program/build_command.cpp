@@ -163,7 +163,7 @@ Command buildCommand() {
               {"--cpu", "NAME", "its processor, as LLVM names it (default: x86-64, generic)"},
               {"--linker", "NAME", "the linker: LLD 19 or later (default: of the package lld-19)"},
               {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan, unless the run says otherwise"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+              {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"}},
              "stepwise build projects/examples/motor --target aarch64 --output motor"},
             build};
 }

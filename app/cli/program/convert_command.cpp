@@ -104,10 +104,10 @@ Command convertCommand() {
              "PATH… --to st|il|ld|fbd [OPTIONS]",
              "Shows instruction lists as ST, ST as instruction lists or as a diagram.",
              {{"--to", "st|il|ld|fbd",
-               "the language that comes out; the file that changes is printed. ld and fbd say how the unit is shown"},
+               "the target language; the converted file is printed. ld and fbd set how the unit is shown"},
               {"--unit", "NAME",
                "only this program, function, block, Unit.Method or Unit.Action (st without it: every list)"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+              {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"},
               {"--write", "", "change the files instead of printing them"}},
              "stepwise convert projects/examples/weigh --to st --unit NetWeightIl"},
             convert};

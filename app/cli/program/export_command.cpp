@@ -49,8 +49,8 @@ int exportProject(const Arguments& arguments) {
 Command exportCommand() {
     return {{"export",
              "PATH… --to FILE [OPTIONS]",
-             "Writes a project as PLCopen XML and reports what that has no place for.",
-             {{"--to", "FILE", "the file that is written"},
+             "Writes a project as PLCopen XML and reports what the format does not support.",
+             {{"--to", "FILE", "the file to write"},
               {"--version", "0200|0201", "0200 (default) for CODESYS and TwinCAT, 0201 for Beremiz and OpenPLC"}},
              "stepwise export projects/examples/motor --to motor.xml"},
             exportProject};

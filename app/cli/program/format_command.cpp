@@ -112,16 +112,17 @@ int formatFiles(const Arguments& arguments) {
 } // namespace
 
 Command formatCommand() {
-    return {{"fmt",
-             "PATH… [OPTIONS]",
-             "Formats ST files in place.",
-             {{"--check", "", "change nothing; show the difference and exit 1 when there is one"},
-              {"--indent", "4", "blanks per level"},
-              {"--align", "", "also the colons of neighbouring declarations"},
-              {"--utf8", "", "also rewrite files in UTF-16 or Windows-1252 as UTF-8; else they keep their encoding"},
-              {"--format", "text|json", "text (default), or an object with the changed files"}},
-             "stepwise fmt --check projects/examples/motor"},
-            formatFiles};
+    return {
+        {"fmt",
+         "PATH… [OPTIONS]",
+         "Formats ST files in place.",
+         {{"--check", "", "change nothing; show the difference and exit 1 when there is one"},
+          {"--indent", "4", "blanks per level"},
+          {"--align", "", "also the colons of neighbouring declarations"},
+          {"--utf8", "", "also convert files in UTF-16 or Windows-1252 to UTF-8; otherwise they keep their encoding"},
+          {"--format", "text|json", "text (default), or an object with the changed files"}},
+         "stepwise fmt --check projects/examples/motor"},
+        formatFiles};
 }
 
 } // namespace plc::cli

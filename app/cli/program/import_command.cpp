@@ -71,7 +71,7 @@ Command importCommand() {
              "Makes a project of PLCopen XML, TwinCAT files or text exports of CODESYS; of a folder with several "
              "projects that share names, one each.",
              {{"--to", "PROJECT", "the folder of the new project; it must not exist or must be empty"},
-              {"--project", "NAME", "of a folder with several projects only this one, with the libraries it uses"},
+              {"--project", "NAME", "only this one of several projects in a folder, with the libraries it uses"},
               {"--together", "", "one project of all, even where units of equal names meet"},
               {"--preview", "", "write nothing, only report"},
               {"--format", "text|json", "text (default), or an object with the figures and a list of notes"}},

@@ -143,10 +143,10 @@ Command ladderCommand() {
           {"--picture", "FILE.svg", "write a picture instead of printing characters"},
           {"--text", "", "print characters, also besides a picture"},
           {"--symbols", "bars|circuit", "contacts as bars (IEC 61131-3, ANSI) or as in circuit diagrams (IEC 60617)"},
-          {"--show", "names|addresses|both", "what stands above contacts and coils"},
+          {"--show", "names|addresses|both", "what is shown above contacts and coils"},
           {"--comments", "", "the variables' comments above their contacts and coils"},
           {"--share", "", "print how many statements of the project have a picture, and how many are shown as text"},
-          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+          {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"}},
          "stepwise ladder projects/examples/motor --pou Main"},
         ladderDiagram};
 }

@@ -199,7 +199,7 @@ Command testCommand() {
              "PATH… [OPTIONS]",
              "Runs the TESTs of projects (tests/*.st), or of ST files, in virtual time.",
              {{"--filter", "TEXT", "only tests whose title holds TEXT (* and ? as in file names)"},
-              {"--library", "NAME", "a library the ST files use, besides the standard (repeatable)"},
+              {"--library", "NAME", "a library the ST files use, in addition to the standard library (repeatable)"},
               {"--coverage", "", "lines of each POU that ran; --coverage mcdc: statements, branches and conditions"},
               {"--report", "FILE.html|FILE.xml", "coverage as a page, or in Cobertura's form"},
               {"--format", "text|json|junit", "text (default), JSON or JUnit XML"}},

@@ -223,8 +223,8 @@ Command attachCommand() {
              "Attaches to a running `stepwise serve`: state, list [TEXT], read EXPR…, watch EXPR…, write PATH VALUE, "
              "force PATH VALUE, release [PATH], start, pause, scan, stop, reset [warm|cold|origin], recording FILE, "
              "sources DIR, change PROJECT.",
-             {{"--code", "FILE", "the code to attach, the file attach-code of the controller's state folder"},
-              {"--certificate", "FILE", "a certificate (PEM) that is trusted besides those of the system"},
+             {{"--code", "FILE", "the attach code, the file attach-code in the controller's state folder"},
+              {"--certificate", "FILE", "a certificate (PEM) that is trusted in addition to those of the system"},
               {"--every", "500ms", "of watch: how often a line is printed"},
               {"--for", "10s", "of watch: how long"},
               {"--format", "text|json", "of state and list"},

@@ -29,7 +29,7 @@ int serveDebugger(const Arguments&) {
 Command dapCommand() {
     return {{"dap",
              "[OPTIONS]",
-             "Debugs a project for an editor by the Debug Adapter Protocol on standard input and output.",
+             "Debugs a project for an editor, with the Debug Adapter Protocol on standard input and output.",
              {{"--stdio", "", "as some editors want it said; there is no other way"}},
              "stepwise dap"},
             serveDebugger};

@@ -65,11 +65,13 @@ int serveEditor(const Arguments& arguments) {
 Command lspCommand() {
     return {{"lsp",
              "[OPTIONS]",
-             "Serves an editor by the Language Server Protocol on standard input and output.",
-             {{"--library", "NAME", "a library that files outside of projects use, besides the standard (repeatable)"},
+             "Serves an editor with the Language Server Protocol on standard input and output.",
+             {{"--library", "NAME",
+               "a library for files outside projects, in addition to the standard library (repeatable)"},
               {"--attach", "URL", "values of this running controller (stepwise serve) as hints beside the lines"},
               {"--code", "FILE", "of --attach: the file attach-code of the controller's state folder"},
-              {"--certificate", "FILE", "of --attach: a certificate (PEM) that is trusted besides those of the system"},
+              {"--certificate", "FILE",
+               "of --attach: a certificate (PEM) that is trusted in addition to those of the system"},
               {"--stdio", "", "as some editors want it said; there is no other way"}},
              "stepwise lsp"},
             serveEditor};

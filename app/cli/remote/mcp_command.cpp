@@ -33,13 +33,14 @@ int serveAssistant(const Arguments& arguments) {
 } // namespace
 
 Command mcpCommand() {
-    return {{"mcp",
-             "[OPTIONS]",
-             "Serves an assistant by the Model Context Protocol on standard input and output; it reads and simulates.",
-             {{"--allow-writes", "", "the assistant may write to the controller that it started with live_start"},
-              {"--timeout", "2m", "the longest that one call may take (default 2m)"}},
-             "stepwise mcp"},
-            serveAssistant};
+    return {
+        {"mcp",
+         "[OPTIONS]",
+         "Serves an AI assistant with the Model Context Protocol on standard input and output; it reads and simulates.",
+         {{"--allow-writes", "", "the assistant may write to the controller that it started with live_start"},
+          {"--timeout", "2m", "the maximum duration of a call (default 2m)"}},
+         "stepwise mcp"},
+        serveAssistant};
 }
 
 } // namespace plc::cli

@@ -187,7 +187,7 @@ int replay(const Arguments& arguments) {
 Command replayCommand() {
     return {{"replay",
              "FILE [OPTIONS]",
-             "Looks into a recording made by run --record.",
+             "Inspects a recording made by run --record.",
              {{"--at", "1.5s", "the last scan at or before that PLC time (default: the last)"},
               {"--find", "EXPR", "the first scan (from --at on) in which the expression becomes true"},
               {"--watch", "EXPR", "a value to show (repeatable; default: all variables)"},

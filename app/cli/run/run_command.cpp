@@ -219,13 +219,13 @@ Command runCommand() {
               {"--force", "PATH=VALUE[@TIME]", "force likewise; VALUE RELEASE ends it (repeatable)"},
               {"--watch", "EXPR", "a value to show and record (repeatable; default: all variables)"},
               {"--csv", "FILE", "write a row per scan: time_s, scan, the watches; - is the standard output"},
-              {"--every", "scan|100ms", "a row each scan (default) or each interval"},
+              {"--every", "scan|100ms", "a row for each scan (default) or each interval"},
               {"--record", "FILE", "save the recording of every scan, for replay and the studio"},
               {"--devices", "", "connect the devices of devices.json; in real time"},
               {"--retain", "FILE", "restore retained variables from FILE, save them there at the end"},
               {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
               {"--stats", "", "also task statistics"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+              {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"},
               {"--format", "text|json", "text (default) or one JSON object"}},
              "stepwise run projects/examples/motor --for 5s --set 'Plant.StartButton=TRUE@1s' --watch IO.K1 --csv "
              "motor.csv "

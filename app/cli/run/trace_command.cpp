@@ -289,7 +289,7 @@ Command traceCommand() {
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
           {"--recording", "FILE", "draw a recording made by run --record, or a table (.csv), instead of running"},
-          {"--beneath", "FILE", "an older recording or a table, drawn faintly beneath"},
+          {"--beneath", "FILE", "an older recording or a table, drawn faintly in the background"},
           {"--measured", "FILE=EXPR,…", "channels of another recording or table beside the others (repeatable)"},
           {"--xy", "X,Y…", "draw Y over X instead of over time"},
           {"--spectrum", "EXPR,…", "draw the spectrum and print its peaks"},
@@ -297,7 +297,7 @@ Command traceCommand() {
           {"--linear", "", "linear axes of the spectrum"},
           {"--response", "INPUT,OUTPUT…", "draw the frequency response from one to the other (Bode plot, coherence)"},
           {"--runs", "EXPR,…", "lay the stretches around each edge of --trigger over each other"},
-          {"--note", "TIME=TEXT", "a remark in the picture (repeatable)"},
+          {"--note", "TIME=TEXT", "a note in the picture (repeatable)"},
           {"--picture", "FILE", "the charts as .png, .svg or .pdf"},
           {"--csv", "FILE", "every sample shown, a row per scan"},
           {"--statistics", "", "a table: values at the cursors (or ends), least, greatest, mean, RMS, step response"},
@@ -310,7 +310,7 @@ Command traceCommand() {
           {"--size", "1200x700", "size of the picture"},
           {"--scale", "1", "pixels per unit of a .png"},
           {"--dark", "", "dark colours"},
-          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+          {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"}},
          "stepwise trace projects/examples/pid_pt1 --channels Main.SetPoint,IO.Measured --for 20s --picture loop.png "
          "--statistics"},
         runTrace};

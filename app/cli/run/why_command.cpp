@@ -64,15 +64,15 @@ int why(const Arguments& arguments) {
 Command whyCommand() {
     return {{"why",
              "PROJECT|FILE.st|RECORDING EXPR [OPTIONS]",
-             "Explains a value: what changed it, what that needed, or what would make it otherwise.",
+             "Explains a value: what changed it, what had to hold, or what would change it.",
              {{"--at", "1.5s|150",
                "the last scan at or before that PLC time, or the scan of that number (default: the last)"},
-              {"--not", "", "what would make the condition come out otherwise in that scan; each way was tried"},
+              {"--not", "", "what would change the result of the condition in that scan; each way is verified"},
               {"--for", "10s", "PLC time to run a project (default 10s, or up to --at)"},
               {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
               {"--force", "PATH=VALUE[@TIME]", "force likewise; VALUE RELEASE ends it (repeatable)"},
               {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+              {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"},
               {"--format", "text|json", "text (default) or one JSON object"}},
              "stepwise why projects/examples/motor IO.K1 --set 'Plant.StartButton=TRUE@1s' --at 1.5s"},
             why};

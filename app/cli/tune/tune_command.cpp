@@ -273,11 +273,11 @@ Command tuneCommand() {
     return {
         {"tune",
          "PROJECT|RECORDING|TABLE.csv [OPTIONS]",
-         "Finds steps in a recording, models the process and proposes controller settings.",
+         "Finds steps in a recording, fits a process model and proposes controller settings.",
          {{"--loop", "NAME", "the controller block, for example Main.pid (default: the only one there is)"},
-          {"--input", "EXPR", "what the controller puts out, instead of --loop; of a table the name of a column"},
+          {"--input", "EXPR", "the controller output, instead of --loop; for a table the name of a column"},
           {"--output", "EXPR", "the measured value"},
-          {"--setpoint", "EXPR", "the set point, where there is one"},
+          {"--setpoint", "EXPR", "the set point, if there is one"},
           {"--rule", "simc|amigo|optimum|chr|zn", "the rule whose settings are printed (default simc)"},
           {"--kind", "p|pi|pid", "the kind of controller (default pi, or what the block can do)"},
           {"--brisk", "0.5", "from 0, calm, to 1, brisk"},
@@ -293,7 +293,7 @@ Command tuneCommand() {
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise; VALUE RELEASE ends it (repeatable)"},
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
-          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+          {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"},
           {"--format", "text|json", "text (default) or one JSON object"}},
          "stepwise tune projects/examples/cascade --loop Main.controller.PI --set Main.SetPoint=24.0@200s --for 600s"},
         tune};

@@ -134,7 +134,7 @@ std::vector<const loops::CallConstant*> constantsOf(const TuneReport& report, co
 
 std::string chosenText(const TuneReport& report) {
     const RuleAnswer* answer = report.answer();
-    if (!answer) return "\nThe rule " + std::string(title(report.rule)) + " has no answer for this process.\n";
+    if (!answer) return "\nThe rule " + std::string(title(report.rule)) + " does not apply to this process.\n";
     std::string out = "\n" + std::string(title(answer->rule)) + ": " + gainsText(answer->assessment.gains) + "\n  " +
                       robustnessWords(answer->assessment).english() + "\n  " +
                       overshootWords(answer->assessment).english() + "\n";
@@ -316,7 +316,7 @@ std::array<waveform::Chart, 2> bodeOf(const TuneReport& report) {
 }
 
 waveform::Chart residualChart(const TuneReport& report) {
-    waveform::Chart chart{"What the model leaves", "time [s]", report.measuredName, {}, false};
+    waveform::Chart chart{"Residuals of the model", "time [s]", report.measuredName, {}, false};
     for (size_t i = 0; i < report.study.used.size(); ++i) {
         const tuning::Excerpt& excerpt = report.study.excerpts[i];
         const std::vector<double>& model = report.best().simulated[i];

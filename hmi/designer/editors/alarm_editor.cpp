@@ -27,6 +27,8 @@ AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_list(new QTreeWidget), m_grid(new kit::PropertyGrid) {
     m_list->setAccessibleName(tr("Alarms"));
     m_list->setHeaderLabels({tr("Alarm"), tr("Priority"), tr("Condition"), tr("Text")});
+    m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(2, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(3, QHeaderView::Stretch);
     QToolBar* bar = makeEditBar(m_undo, this);

@@ -86,7 +86,7 @@ TEST_F(TestCommand, OfTheExamplesIsGreenWithALinePerProject) {
     size_t projects = 0;
     for (const auto& entry : fs::directory_iterator(examples)) projects += entry.is_directory() ? 1 : 0;
     EXPECT_EQ(lines(outcome.out), projects + 1) << outcome.out;
-    EXPECT_TRUE(holds(outcome.out, "Motor with self-holding "));
+    EXPECT_TRUE(holds(outcome.out, "Motor with latching "));
     EXPECT_TRUE(outcome.out.ends_with(" passed, 0 failed\n"));
     EXPECT_FALSE(fs::exists("out")) << "nothing failed, so no recording";
 }

@@ -107,7 +107,7 @@ TEST(DeviceFile, EveryMistakeIsNamedWithItsRemedy) {
         {R"({"devices": [{"name": "a", "protocol": "mqtt", "host": "b"}, {"name": "A", "protocol": "mqtt", "host": "b"}]})",
          "two devices named A"},
         {R"({"devices": [{"name": "a", "protocol": "modbus-server"}, {"name": "b", "protocol": "modbus-server"}]})",
-         "both listen at port 1502"},
+         "both listen on port 1502"},
         {R"({"devices": [{"name": "a", "protocol": "modbus-rtu", "serial": "/dev/x"}, {"name": "b", "protocol": "modbus-rtu", "serial": "/dev/x"}]})",
          "both unit 1"},
         {R"({"devices": [{"name": "a", "protocol": "modbus-rtu", "serial": "/dev/x"}, {"name": "b", "unit": 2, "baud": 9600, "protocol": "modbus-rtu", "serial": "/dev/x"}]})",

@@ -341,7 +341,7 @@ TEST(ModbusServer, APortInUseIsSaidAndTakenWhenItIsFree) {
     ASSERT_TRUE(first->scanUntil([&] { return first->status().state == LinkState::Online; }));
     LiveRun second(serverProgram(), server(port, kServerChannels));
     EXPECT_TRUE(second.scanUntil([&] { return second.status().state == LinkState::Lost; }));
-    EXPECT_NE(second.status().problem.english().find("cannot listen at 127.0.0.1:"), std::string::npos);
+    EXPECT_NE(second.status().problem.english().find("cannot listen on 127.0.0.1:"), std::string::npos);
     first.reset();
     EXPECT_TRUE(second.scanUntil([&] { return second.status().state == LinkState::Online; }));
 }

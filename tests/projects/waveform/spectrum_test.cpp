@@ -106,7 +106,7 @@ TEST(FrequencyResponse, AnInputThatDoesNotMoveIsSaidToBeSo) {
     const Samples moving = sampled(1000, 0.1, [](double t) { return std::sin(t); });
     const auto none = frequencyResponse(still, moving);
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message.english().find("does not move"), std::string::npos);
+    EXPECT_NE(none.error().message.english().find("does not change"), std::string::npos);
 }
 
 TEST(Runs, StartAtTheirTriggersAndTheBandSaysWhereTheyDiffer) {
@@ -144,7 +144,7 @@ TEST(Derivation, WhatItCannotDoIsSaidWithTheRemedy) {
     for (const auto& [text, words] :
          {std::pair{"FILTER(Main.Level)", "needs a time"}, std::pair{"FILTER(Main.Level, T#0s)", "needs a time"},
           std::pair{"FILTER(Main.Level, soon)", "needs a time"}, std::pair{"DERIVATIVE(a, b)", "takes one expression"},
-          std::pair{"INTEGRAL(a) + 1.0", "around the whole expression"}, std::pair{"INTEGRAL(a", "parenthesis"}}) {
+          std::pair{"INTEGRAL(a) + 1.0", "enclose the whole expression"}, std::pair{"INTEGRAL(a", "parenthesis"}}) {
         const auto refused = parseDerivation(text);
         ASSERT_FALSE(refused) << text;
         EXPECT_NE(refused.error().message.english().find(words), std::string::npos)

@@ -145,7 +145,7 @@ TEST(LadderEdits, RefuseWhatIsNoOperand) {
                     [](const LadderEditor& editor, const Opened& opened) {
                         return editor.setOperand(find(opened, "y", NodeKind::Coil), "a + 1");
                     }),
-              "A coil writes a variable.");
+              "A coil writes a variable; enter the name of one.");
 }
 
 Change move(const char* label, const char* beside, Place place) {
