@@ -1,4 +1,5 @@
 // The tool bar of TraceView: its actions and menus, export and print.
+#include "editor/kit/bar_menu.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
@@ -19,7 +20,6 @@
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QToolBar>
-#include <QToolButton>
 
 namespace plc::trace {
 
@@ -86,16 +86,8 @@ void TraceView::makeActions(QToolBar* bar) {
     auto* spacer = new QWidget(bar);
     spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(spacer);
-    auto menuButton = [&](kit::Icon icon, const QString& text) {
-        auto* button = new QToolButton(bar);
-        button->setIcon(kit::icon(icon));
-        button->setToolTip(text);
-        button->setAccessibleName(text);
-        button->setPopupMode(QToolButton::InstantPopup);
-        auto* menu = new QMenu(text, button);
-        button->setMenu(menu);
-        bar->addWidget(button);
-        return menu;
+    const auto menuButton = [&](kit::Icon icon, const QString& text) {
+        return kit::addBarMenu(*bar, kit::icon(icon), text);
     };
     QMenu* figures = menuButton(kit::Icon::Trace, tr("XY plot, spectrum, frequency response, runs"));
     connect(figures, &QMenu::aboutToShow, this, [this, figures] {
