@@ -2,6 +2,7 @@
 // does on the way: texts get keys, variables become elements, everything is undone.
 #include "design_studio.h"
 #include "hmi/designer/alarm_editor.h"
+#include "hmi/designer/language_choice.h"
 #include "hmi/designer/outline.h"
 #include "hmi/designer/palette.h"
 #include "hmi/designer/panel_designer.h"
@@ -14,11 +15,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDropEvent>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTimer>
+#include <QToolButton>
 #include <QTreeWidget>
 
 namespace plc::hmi {
@@ -384,6 +392,80 @@ TEST(Texts, TheTableEditorRenamesKeysEverywhereAndKnowsTheUsers) {
     editor.addLanguage(QStringLiteral("fr"));
     editor.undoStack().undo();
     EXPECT_EQ(studio.project.texts.table().write(), now);
+}
+
+TEST(Texts, ALanguageIsChosenByItsNameAndNonsenseIsRefused) {
+    for (const auto& [typed, tag] : std::vector<std::pair<const char*, const char*>>{{"Deutsch (de)", "de"},
+                                                                                     {"german", "de"},
+                                                                                     {"Deutsch", "de"},
+                                                                                     {"DE", "de"},
+                                                                                     {"zh-CN", "zh-CN"},
+                                                                                     {"de-AT", "de-AT"},
+                                                                                     {"ar-u-nu-latn", "ar-u-nu-latn"},
+                                                                                     {"", ""},
+                                                                                     {"xx", ""},
+                                                                                     {"machine", ""},
+                                                                                     {"de,fr", ""},
+                                                                                     {"c", ""},
+                                                                                     {"1", ""}})
+        EXPECT_EQ(languageTagOf(QString::fromUtf8(typed)).toStdString(), tag) << typed;
+    EXPECT_TRUE(languagesToChoose().contains(QStringLiteral("Deutsch (de)")));
+    Studio studio;
+    TextEditor editor(*studio.context);
+    editor.show();
+    QToolButton* button = nullptr;
+    for (QToolButton* each : editor.findChildren<QToolButton*>())
+        if (each->text() == QStringLiteral("Add a language")) button = each;
+    ASSERT_NE(button, nullptr);
+    EXPECT_EQ(button->toolButtonStyle(), Qt::ToolButtonTextBesideIcon) << "it is found without pointing at it";
+    QStringList seen;
+    QTimer answers; // with the keys, as they come: nonsense, its warning, a language
+    QObject::connect(&answers, &QTimer::timeout, [&] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (!dialog) return;
+        if (auto* warning = qobject_cast<QMessageBox*>(dialog)) {
+            seen << warning->text();
+            return QTest::keyClick(warning, Qt::Key_Escape);
+        }
+        auto* field = dialog->findChild<QComboBox*>();
+        field->lineEdit()->selectAll();
+        QTest::keyClicks(field->lineEdit(), seen.isEmpty() ? "machine" : "fr");
+        QTest::keyClick(field->lineEdit(), Qt::Key_Return);
+    });
+    answers.start(20);
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_EQ(seen.size(), 1);
+    EXPECT_TRUE(seen[0].startsWith("machine is no language; ")) << seen[0].toStdString();
+    EXPECT_TRUE(studio.project.texts.table().tags().contains("fr"));
+    EXPECT_FALSE(studio.project.texts.table().tags().contains("machine"));
+}
+
+TEST(Texts, ALanguageIsTakenOutByTheMenuOfItsColumnAndUndoBringsItBack) {
+    Studio studio;
+    TextEditor editor(*studio.context);
+    editor.resize(900, 300);
+    editor.show();
+    editor.activateWindow();
+    editor.setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return editor.view().hasFocus(); }, 8000)) << "not the search line";
+    const std::string before = studio.project.texts.table().write();
+    const int column = TextModel::FirstLanguage + static_cast<int>(studio.project.texts.table().tags().indexOf("da"));
+    QHeaderView* header = editor.view().horizontalHeader();
+    const QPoint at(header->sectionViewportPosition(column) + 20, header->height() / 2);
+    QTimer chooses;
+    QObject::connect(&chooses, &QTimer::timeout, [&] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        if (!menu) return;
+        EXPECT_EQ(menu->actions().front()->text().remove(u'&').toStdString(), "Remove dansk");
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
+    });
+    chooses.start(20);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, header->viewport()->mapToGlobal(at));
+    QApplication::sendEvent(header->viewport(), &event);
+    chooses.stop();
+    EXPECT_FALSE(studio.project.texts.table().tags().contains("da"));
+    QTest::keyClick(editor.findChild<QLineEdit*>(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(studio.project.texts.table().write(), before) << "from an empty search line, too";
 }
 
 TEST(Alarms, TheEditorAddsChangesAndUndoes) {
