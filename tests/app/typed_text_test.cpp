@@ -58,6 +58,14 @@ TEST_F(TypedTextTest, AProgramTypedLineByLineWithItsEndsIsThatProgram) {
         << "as the formatter has it, each end once";
 }
 
+TEST_F(TypedTextTest, AListOfNamesClosesWhenTheEditorIsTakenElsewhere) {
+    typeAtEnd("cou");
+    using S = QsciScintillaBase;
+    ASSERT_TRUE(waitFor([&] { return editor().SendScintilla(S::SCI_AUTOCACTIVE) != 0; }));
+    editor().goTo(0); // as a fault, a breakpoint or a click on a problem does
+    EXPECT_EQ(editor().SendScintilla(S::SCI_AUTOCACTIVE), 0);
+}
+
 TEST_F(TypedTextTest, AnEndThatClosesAnotherBlockIsWritten) {
     typeAtEnd("IF done THEN");
     QTest::keyClick(editor().viewport(), Qt::Key_Return);

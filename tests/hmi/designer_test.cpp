@@ -394,6 +394,19 @@ TEST(Texts, TheTableEditorRenamesKeysEverywhereAndKnowsTheUsers) {
     EXPECT_EQ(studio.project.texts.table().write(), now);
 }
 
+TEST(Designer, ANewNavigationBarLeadsToThePanelsOfTheProject) {
+    Studio studio;
+    for (const char* name : {"mixing", "alarms"}) studio.project.panels.push_back({QLatin1String(name), panelOf("")});
+    studio.dropElement(ElementKind::NavigationBar, 300, 300);
+    ASSERT_EQ(studio.panel().elements().size(), 1u);
+    QStringList places;
+    for (const Json& entry : studio.panel().elements().front().fields()["entries"])
+        places << QString::fromStdString(entry["panel"].get<std::string>());
+    EXPECT_EQ(places, (QStringList{"main", "mixing", "alarms"}));
+    studio.designer->document().undoStack().undo();
+    EXPECT_TRUE(studio.panel().elements().empty());
+}
+
 TEST(Texts, ALanguageIsChosenByItsNameAndNonsenseIsRefused) {
     for (const auto& [typed, tag] : std::vector<std::pair<const char*, const char*>>{{"Deutsch (de)", "de"},
                                                                                      {"german", "de"},
