@@ -186,6 +186,10 @@ void MainWindow::openDesigner(const QString& panel) {
     QTimer::singleShot(0, designer, [designer] { // once it has its size: the whole panel
         if (auto* fit = designer->findChild<QAction*>("zoom-fit")) fit->trigger();
     });
+    constexpr int kLittle = 420; // pixels of height for a drawing with its lists around
+    if (m_tabs->height() < kLittle)
+        say(tr("%1 arranges the window for drawing panels")
+                .arg(action("view.panelDesign")->shortcut().toString(QKeySequence::NativeText)));
     connect(designer, &hmi::PanelDesigner::panelRequested, this, &MainWindow::openDesigner); // of a faceplate
     connect(designer, &hmi::PanelDesigner::modifiedChanged, m_tabs,
             [this, key](bool modified) { m_tabs->markPage(key, modified); });

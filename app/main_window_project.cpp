@@ -43,15 +43,19 @@ namespace plc::app {
 // ------------------------------------------------------------------ open and close
 
 bool MainWindow::openProject(const QString& folder) {
-    closeProject();
-    if (m_workspace->isOpen()) return false; // kept open because of unsaved changes
-    if (auto opened = m_workspace->open(folder); !opened) {
+    const auto refused = [&](const Error& why) {
         m_settings.removeRecent(folder);
         m_startPage->reload();
-        say(kit::messageText(opened.error()), true);
-        QMessageBox::warning(this, tr("Open Project"), kit::messageText(opened.error()));
+        say(kit::messageText(why), true);
+        QMessageBox::warning(this, tr("Open Project"), kit::messageText(why));
         return false;
-    }
+    };
+    // What is open, and runs, is only given up for a project that can be opened.
+    if (const auto readable = projects::openProject({folder.toStdString()}); !readable)
+        return refused(readable.error());
+    closeProject();
+    if (m_workspace->isOpen()) return false; // kept open because of unsaved changes
+    if (auto opened = m_workspace->open(folder); !opened) return refused(opened.error());
     m_settings.addRecent(m_workspace->folder());
     showProject();
     const QStringList lists = m_settings.projectValue(m_workspace->folder(), "watchLists").toStringList();
@@ -231,7 +235,11 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
             return false;
         }
     if (!openProject(copy)) return false;
-    if (isNew) arrangeForExample();
+    if (isNew) {
+        const QSize before = size();
+        arrangeForExample();
+        keepSize(*this, before);
+    }
     say(isNew ? tr("This is a copy of the example, in %1: change what you like").arg(copy)
               : tr("This is your copy of the example, in %1").arg(copy));
     return true;

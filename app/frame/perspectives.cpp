@@ -35,7 +35,7 @@ void Perspectives::show(Perspective wanted) {
         if (!dock->property("hidesItself").toBool()) dock->setVisible(wantedDocks.contains(dock->objectName()));
     for (qsizetype i = wantedDocks.size(); i-- > 0;) // the first is raised last
         if (auto* dock = m_window.findChild<QDockWidget*>(wantedDocks[i])) dock->raise();
-    if (wanted == Perspective::Editing) // problems are a few lines
+    if (wanted != Perspective::Debugging) // problems are a few lines
         m_window.resizeDocks({m_window.findChild<QDockWidget*>("problems")}, {m_window.height() / 5}, Qt::Vertical);
 }
 

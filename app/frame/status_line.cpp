@@ -3,6 +3,7 @@
 #include "app/project/problems_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/occurrence_text.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/work_strip.h"
 #include "editor/plot/plot_scale.h"
@@ -169,8 +170,9 @@ void StatusLine::showFault() {
     const auto& fault = status.fault ? status.fault : status.simulationFault;
     m_faultButton->setVisible(m_control.isOnline() && fault.has_value());
     if (!fault) return;
-    m_faultButton->setText(kit::messageText(fault->message));
-    m_faultButton->setToolTip(Words::tr("Go to the line"));
+    // The button is as wide as its text: what to do about it is in the tip, and in the log.
+    m_faultButton->setText(kit::occurrenceText(fault->message));
+    m_faultButton->setToolTip(kit::messageText(fault->message) + u'\n' + Words::tr("Go to the line"));
 }
 
 void StatusLine::goToFault() {

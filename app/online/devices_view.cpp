@@ -1,6 +1,7 @@
 #include "app/online/devices_view.h"
 
 #include "app/online/device_connections.h"
+#include "editor/kit/bar_menu.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
@@ -20,7 +21,6 @@
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QToolBar>
-#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -209,21 +209,14 @@ void DevicesView::makeToolBar(QVBoxLayout& layout) {
                                &DevicesView::toggleConnection);
     m_connect->setObjectName("devicesConnect");
     m_connect->setCheckable(true);
-    auto* add = new QToolButton(bar);
-    add->setObjectName("devicesAdd");
-    add->setIcon(kit::icon(kit::Icon::Add));
-    add->setToolTip(tr("Add a device"));
-    add->setAccessibleName(add->toolTip());
-    add->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(add);
+    QMenu* menu = kit::addBarMenu(*bar, kit::icon(kit::Icon::Add), tr("Add a device"));
+    menu->setObjectName("devicesAdd");
     const std::pair<Protocol, QString> kinds[] = {{Protocol::ModbusTcp, tr("Modbus TCP device")},
                                                   {Protocol::ModbusRtu, tr("Modbus RTU device (serial)")},
                                                   {Protocol::ModbusServer, tr("Modbus TCP server")},
                                                   {Protocol::Mqtt, tr("MQTT broker")}};
     for (const auto& [protocol, title] : kinds)
         menu->addAction(title, this, [this, kind = protocol] { addDevice(kind); });
-    add->setMenu(menu);
-    bar->addWidget(add);
     m_addChannel = bar->addAction(kit::icon(kit::Icon::Variable), tr("Add a channel"), this, &DevicesView::addChannel);
     m_remove =
         bar->addAction(kit::icon(kit::Icon::Delete), tr("Delete the device or channel"), this, &DevicesView::remove);

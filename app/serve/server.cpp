@@ -1,6 +1,7 @@
 #include "app/serve/server.h"
 
 #include "app/serve/errors.h"
+#include "editor/kit/occurrence_text.h"
 
 #include <QFile>
 #include <QSslCertificate>
@@ -154,7 +155,8 @@ QByteArray Server::overview() const {
     out += "</ul><h2>Controller</h2><p>" + QByteArray::number(static_cast<qulonglong>(status.scans)) + " scans, load " +
            QByteArray::number(status.load * 100, 'f', 1) + " %</p>";
     if (status.fault)
-        out += "<p><strong>" + escaped(QString::fromStdString(status.fault->message.english())) + "</strong></p>";
+        out +=
+            "<p><strong>" + escaped(kit::occurrenceText(status.fault->message, QStringLiteral("en"))) + "</strong></p>";
     return out + "<p><a href=\"/status\">status</a> (JSON), <a href=\"/metrics\">metrics</a> "
                  "(Prometheus)</p></body></html>\n";
 }

@@ -86,7 +86,9 @@ void Tour::showStop(int index) {
 }
 
 void Tour::place() {
-    m_card->adjustSize();
+    // Of a text that wraps, the size hint is a guess: only its height for this width has room for all of it.
+    m_card->layout()->activate();
+    m_card->resize(m_card->width(), m_card->heightForWidth(m_card->width()));
     const QRect area = rect().adjusted(12, 12, -12, -12);
     QPoint at = area.center() - QPoint(m_card->width() / 2, m_card->height() / 2);
     if (m_target && m_target->isVisible()) {

@@ -1,5 +1,6 @@
 // What is done to a ladder diagram by keyboard, mouse, menu and the field in place.
 #include "editor/graph/ladder_view.h"
+#include "editor/kit/bar_menu.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
@@ -8,7 +9,6 @@
 
 #include <QMenu>
 #include <QToolBar>
-#include <QToolButton>
 
 #include <algorithm>
 
@@ -317,7 +317,7 @@ void LadderView::themeChanged() {
 }
 
 void LadderView::addLookMenu() {
-    auto* menu = new QMenu(this);
+    QMenu* menu = kit::addBarMenu(*m_bar, kit::icon(kit::Icon::Watch), tr("What is shown"));
     menu->setObjectName("ladderLook");
     const auto add = [&](const QString& text, auto isSet, auto set) {
         QAction* action = menu->addAction(text);
@@ -357,13 +357,6 @@ void LadderView::addLookMenu() {
     add(
         tr("High Contrast"), [](const LadderLook& l) { return l.isHighContrast; },
         [](LadderLook& l, bool on) { l.isHighContrast = on; });
-    auto* button = new QToolButton(m_bar);
-    button->setIcon(kit::icon(kit::Icon::Watch));
-    button->setToolTip(tr("What is shown"));
-    button->setAccessibleName(tr("What is shown"));
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setMenu(menu);
-    m_bar->addWidget(button);
 }
 
 // ------------------------------------------------------------------ the field

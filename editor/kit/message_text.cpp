@@ -1,8 +1,10 @@
 #include "editor/kit/message_text.h"
 
+#include "editor/kit/occurrence_text.h"
 #include "editor/kit/translation_tag.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QTranslator>
 
 #include <map>
@@ -36,9 +38,30 @@ QString messageText(const Message& message, const QString& language) {
         messages::render(message, [&](const messages::Form& form) { return sentence(form, language); }));
 }
 
-QString messageText(const Error& error, const QString& language) {
-    const QString text = messageText(error.message, language);
+QString occurrenceText(const Message& message, const QString& language) {
+    // What to do follows a semicolon, in every language; an argument may have one of its own.
+    return QString::fromStdString(messages::render(message, [&](const messages::Form& form) {
+        const QString all = QString::fromStdString(sentence(form, language));
+        static const QRegularExpression remedy(QStringLiteral("\\s*(?:; |；).*"),
+                                               QRegularExpression::DotMatchesEverythingOption);
+        return QString(all).remove(remedy).toStdString();
+    }));
+}
+
+namespace {
+
+QString withPlace(const Error& error, const QString& text) {
     return error.place.empty() ? text : QString::fromStdString(error.place) + QStringLiteral(": ") + text;
+}
+
+} // namespace
+
+QString messageText(const Error& error, const QString& language) {
+    return withPlace(error, messageText(error.message, language));
+}
+
+QString occurrenceText(const Error& error, const QString& language) {
+    return withPlace(error, occurrenceText(error.message, language));
 }
 
 } // namespace plc::kit

@@ -34,6 +34,7 @@ RemoteController::RemoteController(QObject* parent) : QObject(parent) {
 
 RemoteController::~RemoteController() {
     if (m_socket) m_socket->disconnect(this);
+    if (m_probe) m_probe->disconnect(this);
 }
 
 Result<void> RemoteController::attach(Address address) {
@@ -56,10 +57,7 @@ Result<void> RemoteController::attach(Address address) {
 }
 
 void RemoteController::open() {
-    if (m_socket) {
-        m_socket->disconnect(this);
-        m_socket.release()->deleteLater();
-    }
+    forgetSockets();
     m_socket = std::make_unique<QWebSocket>();
     QWebSocket* socket = m_socket.get();
     socket->setMaxAllowedIncomingFrameSize(kLargestMessage);
@@ -87,13 +85,16 @@ void RemoteController::open() {
             [this, socket](QAbstractSocket::SocketError error) {
                 if (error == QAbstractSocket::RemoteHostClosedError) return; // its reason is still to come
                 if (error == QAbstractSocket::SslHandshakeFailedError && !m_problem.isEmpty()) return lose(m_problem);
-                lose(errors::NotReached(text(host()), text(socket->errorString())));
+                if (error == QAbstractSocket::SslHandshakeFailedError)
+                    return lose(errors::NoTlsThere(text(host()), text(socket->errorString())));
+                loseUnlessTls(errors::NotReached(text(host()), text(socket->errorString())));
             });
     connect(socket, &QWebSocket::disconnected, this, [this, socket] {
         const QString why = socket->closeReason().isEmpty() ? socket->errorString() : socket->closeReason();
         if (m_state == State::Attached) return lose(errors::ConnectionLost(text(host())));
         const bool isRefused = socket->closeCode() == QWebSocketProtocol::CloseCodePolicyViolated;
-        lose(isRefused ? errors::NoAttaching(text(host()), text(why)) : errors::NotReached(text(host()), text(why)));
+        if (isRefused) return lose(errors::NoAttaching(text(host()), text(why)));
+        loseUnlessTls(errors::NotReached(text(host()), text(why)));
     });
     QUrl url = m_address.url;
     url.setScheme(url.scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
@@ -176,14 +177,40 @@ void RemoteController::lose(Message why) {
     if (m_socket) {
         m_socket->disconnect(this);
         m_socket->abort();
-        m_socket.release()->deleteLater();
     }
+    forgetSockets();
     m_problem = std::move(why);
     setState(m_comesBack ? State::Lost : State::Detached);
     refuseAll(m_problem);
     if (!m_comesBack) return;
     m_wait = std::clamp(2 * m_wait, kShortestWait, kLongestWait);
     m_again.start(m_wait);
+}
+
+/// A server that speaks TLS hangs up on plain words without saying why; a handshake tells.
+void RemoteController::loseUnlessTls(Message why) {
+    if (m_state != State::Connecting || m_address.url.scheme() != QLatin1String("http")) return lose(std::move(why));
+    m_socket->disconnect(this);
+    m_probe = std::make_unique<QSslSocket>();
+    QSslSocket* probe = m_probe.get();
+    probe->setPeerVerifyMode(QSslSocket::VerifyNone);
+    connect(probe, &QSslSocket::encrypted, this, [this] {
+        QUrl url = m_address.url;
+        url.setScheme(QStringLiteral("https"));
+        lose(errors::SpeaksTls(text(host()), text(url.toString())));
+    });
+    connect(probe, &QSslSocket::errorOccurred, this, [this, why] { lose(why); });
+    probe->connectToHostEncrypted(host(), static_cast<quint16>(m_address.url.port(80)));
+}
+
+void RemoteController::forgetSockets() {
+    if (m_probe) {
+        m_probe->disconnect(this);
+        m_probe.release()->deleteLater();
+    }
+    if (!m_socket) return;
+    m_socket->disconnect(this);
+    m_socket.release()->deleteLater();
 }
 
 void RemoteController::detach() {
@@ -193,8 +220,8 @@ void RemoteController::detach() {
     if (m_socket) {
         m_socket->disconnect(this);
         m_socket->close();
-        m_socket.release()->deleteLater();
     }
+    forgetSockets();
     m_problem = {};
     setState(State::Detached);
     refuseAll(errors::ConnectionLost(text(host())));

@@ -4,6 +4,7 @@
 #include "projects/remote/state_json.h"
 
 #include <QSslCertificate>
+#include <QSslSocket>
 #include <QTimer>
 #include <QUrl>
 #include <QWebSocket>
@@ -52,6 +53,8 @@ private:
     void takeBytes(const QByteArray& packed);
     void greet();
     void lose(Message why);
+    void loseUnlessTls(Message why);
+    void forgetSockets();
     void setState(State state);
     void refuseAll(const Message& why);
     Address m_address;
@@ -61,6 +64,7 @@ private:
     QString m_project;
     bool m_mayHalt = false, m_comesBack = false;
     std::unique_ptr<QWebSocket> m_socket;
+    std::unique_ptr<QSslSocket> m_probe; // asks whether it speaks TLS there
     QTimer m_again, m_silence;
     int m_wait = 0; // ms, before the next try
     uint64_t m_last = 0;

@@ -328,6 +328,7 @@ void StEditor::showDiagnostics() {
 uint32_t StEditor::cursorOffset() const { return static_cast<uint32_t>(SendScintilla(S::SCI_GETCURRENTPOS)); }
 
 void StEditor::goTo(uint32_t offset, uint32_t length) {
+    SendScintilla(S::SCI_AUTOCCANCEL); // a list of names belongs to where they were typed
     SendScintilla(S::SCI_ENSUREVISIBLEENFORCEPOLICY, static_cast<unsigned long>(SendScintilla(
                                                          S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))));
     SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(offset), static_cast<long>(offset + length));

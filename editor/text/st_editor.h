@@ -18,7 +18,8 @@
 namespace plc::editor {
 
 using analysis::BlockMark, analysis::BlockPair, analysis::FoldLine;
-using analysis::closesBlock, analysis::findBlocks, analysis::foldLines, analysis::indentAfter, analysis::missingEnd;
+using analysis::closesBlock, analysis::findBlocks, analysis::foldLines, analysis::indentAfter, analysis::missingEnd,
+    analysis::opensBlock;
 
 /// Asks for the present text of values; empty = nothing to show.
 struct OnlineValue {
@@ -178,6 +179,7 @@ private:
     void outdentClosingWord();
     /// Typing the END_… that Enter has put there already is that one, not another.
     bool typeOverEnd();
+    void passAutomaticSemicolon();
     bool typeOverSemicolon(const QString& typed);
     void upperCaseWordBefore();
     [[nodiscard]] bool isWordComplete() const;

@@ -82,6 +82,14 @@ void StEditor::keyPressEvent(QKeyEvent* event) {
     QsciScintilla::keyPressEvent(event);
 }
 
+/// Enter between END_IF and the ";" that came with it ends the line behind both.
+void StEditor::passAutomaticSemicolon() {
+    int line = 0, column = 0;
+    getCursorPosition(&line, &column);
+    if (hasSelectedText() || text(line).mid(column).trimmed() != ";") return;
+    (void)typeOverSemicolon(QStringLiteral(";"));
+}
+
 bool StEditor::typeOverSemicolon(const QString& typed) {
     int line = 0, column = 0;
     getCursorPosition(&line, &column);
@@ -230,6 +238,7 @@ void StEditor::showParameterHelp() {
 }
 
 void StEditor::enterPressed() {
+    passAutomaticSemicolon();
     const std::string before = utf8();
     const uint32_t at = cursorOffset();
     if (m_settings.upperCaseKeywords) upperCaseWordBefore();
@@ -238,8 +247,9 @@ void StEditor::enterPressed() {
     const size_t first = before.find_first_not_of(" \t", lineBegin);
     const int own = static_cast<int>(std::min<size_t>(first == std::string::npos ? at : first, at) - lineBegin);
     const bool atLineEnd = at >= before.size() || before[at] == '\n' || before[at] == '\r';
-    const std::string end =
-        m_settings.autoCloseBlocks && indent > own && atLineEnd ? missingEnd(before, at) : std::string();
+    const std::string end = m_settings.autoCloseBlocks && (indent > own || opensBlock(before, at)) && atLineEnd
+                                ? missingEnd(before, at)
+                                : std::string();
     const std::string newline = eolMode() == EolWindows ? "\r\n" : "\n";
     std::string inserted = newline + std::string(static_cast<size_t>(indent), ' ');
     const size_t cursor = inserted.size();

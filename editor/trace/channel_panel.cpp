@@ -58,6 +58,7 @@ kit::PropertyDescriptor describe(const char* id, const QString& group, const QSt
 } // namespace
 
 ChannelPanel::ChannelPanel(QWidget* parent) : QWidget(parent) {
+    setMinimumWidth(fontMetrics().averageCharWidth() * 26); // the names of channels, not their beginnings
     m_entry = new kit::ExpressionEdit(this);
     m_entry->setPlaceholderText(tr("Variable or expression"));
     m_entry->setAccessibleName(tr("Add a channel"));

@@ -1,4 +1,5 @@
 // The tool bar of TraceView: its actions and menus, export and print.
+#include "editor/kit/bar_menu.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
@@ -19,7 +20,6 @@
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QToolBar>
-#include <QToolButton>
 
 namespace plc::trace {
 
@@ -38,19 +38,6 @@ QAction* checkable(QAction* action) {
     return action;
 }
 
-/// A button of the bar that opens a menu.
-QMenu* addMenu(QToolBar& bar, kit::Icon icon, const QString& text) {
-    auto* button = new QToolButton(&bar);
-    button->setIcon(kit::icon(icon));
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-    button->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(text, button);
-    button->setMenu(menu);
-    bar.addWidget(button);
-    return menu;
-}
-
 } // namespace
 
 void TraceView::makeActions(QToolBar* bar) {
@@ -65,13 +52,14 @@ void TraceView::makeActions(QToolBar* bar) {
     auto* spacer = new QWidget(bar);
     spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(spacer);
-    QMenu* figures = addMenu(*bar, kit::Icon::Trace, tr("XY plot, spectrum, frequency response, runs"));
+    QMenu* figures =
+        kit::addBarMenu(*bar, kit::icon(kit::Icon::Trace), tr("XY plot, spectrum, frequency response, runs"));
     connect(figures, &QMenu::aboutToShow, this, [this, figures] {
         figures->clear();
         addFigureActions(*figures);
     });
-    fillFileMenu(addMenu(*bar, kit::Icon::Save, tr("Trace configuration")));
-    fillExportMenu(addMenu(*bar, kit::Icon::Export, tr("Export")));
+    fillFileMenu(kit::addBarMenu(*bar, kit::icon(kit::Icon::Save), tr("Trace configuration")));
+    fillExportMenu(kit::addBarMenu(*bar, kit::icon(kit::Icon::Export), tr("Export")));
     addAction(kit::makeUndoAction(m_undo, this));
     addAction(kit::makeRedoAction(m_undo, this));
     for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);

@@ -300,10 +300,9 @@ QString Finding::code() const { return QStringLiteral("H%1").arg(1001 + static_c
 QString Finding::text() const {
     QString out = file;
     if (line > 0) out += u':' + QString::number(line);
-    out += QStringLiteral(": ");
-    if (!element.isEmpty() || !property.isEmpty())
-        out += element + (element.isEmpty() || property.isEmpty() ? QString() : QStringLiteral(".")) + property;
-    if (!language.isEmpty()) out += QStringLiteral(" [%1]").arg(language);
+    QString place = element + (element.isEmpty() || property.isEmpty() ? QString() : QStringLiteral(".")) + property;
+    if (!language.isEmpty()) place += QStringLiteral(" [%1]").arg(language);
+    if (!place.isEmpty()) out += QStringLiteral(": ") + place; // a file as a whole has none
     return out + QStringLiteral(": ") + (isError ? QStringLiteral("error ") : QStringLiteral("warning ")) + code() +
            QStringLiteral(": ") + QString::fromStdString(message.english());
 }

@@ -65,7 +65,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     auto* middle = new QSplitter(Qt::Vertical);
     middle->addWidget(m_pages);
     middle->addWidget(m_findingList);
-    middle->setStretchFactor(0, 1);
+    middle->setStretchFactor(0, 6); // the list gives way as well where there is little room
+    middle->setStretchFactor(1, 1);
     middle->setSizes({600, 110});
     auto* left = new QSplitter(Qt::Vertical);
     left->addWidget(makeSources());
@@ -315,6 +316,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     connect(languages, &QComboBox::activated, this,
             [this, languages] { m_context.setLanguage(languages->currentData().toString()); });
     connect(&m_context, &DesignContext::languageChanged, languages, fill);
+    connect(&m_context, &DesignContext::textsChanged, languages, fill); // a column may have come or gone
     bar->addWidget(languages);
     auto* themes = new QComboBox;
     themes->setToolTip(tr("Theme of the panel"));

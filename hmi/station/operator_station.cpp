@@ -1,7 +1,7 @@
 // The controller, writing and the language; people and alarms, and recipes, are in files of their own.
 #include "hmi/station/operator_station.h"
 
-#include "editor/kit/message_text.h"
+#include "editor/kit/occurrence_text.h"
 #include "hmi/model/property_literals.h"
 #include "hmi/texts/format.h"
 #include "projects/storage/project_file.h"
@@ -146,7 +146,7 @@ StationState OperatorStation::state() const {
     case Freshness::Fault: {
         QString text = say(SystemText::Fault);
         if (const auto& fault = m_values->status().fault)
-            text += QStringLiteral(": ") + kit::messageText(fault->message, m_language);
+            text += QStringLiteral(": ") + kit::occurrenceText(fault->message, m_language);
         return {text, StateWeight::Bad};
     }
     case Freshness::Past: {
@@ -170,7 +170,7 @@ void OperatorStation::frame(Moment now) {
         followLanguageVariable();
         evaluateRecorded();
         if (m_run && !m_keeper) // taken once, by who keeps what all share
-            for (const Error& refusal : m_run->takeRefusals()) refuse(kit::messageText(refusal, m_language));
+            for (const Error& refusal : m_run->takeRefusals()) refuse(kit::occurrenceText(refusal, m_language));
     }
     if (m_logIn.expire(now)) {
         record(QStringLiteral("log out"), {}, {}, {}, {}, QStringLiteral("timeout"));
@@ -233,7 +233,7 @@ QString OperatorStation::post(const WriteRequest& write, const QString& comment)
     if (const QString reason = refusalBefore(write); !reason.isEmpty()) return no(reason);
     const auto program = m_run->program();
     const auto target = m_run->expression(path, {}, *program);
-    if (!target) return no(kit::messageText(target.error().message, m_language));
+    if (!target) return no(kit::occurrenceText(target.error().message, m_language));
     const std::optional<image::Place> place = target->place();
     if (!place) return no(say(SystemText::NotWritable));
     for (const controller::Forced& forced : m_run->forces())
@@ -242,7 +242,7 @@ QString OperatorStation::post(const WriteRequest& write, const QString& comment)
     const Result<types::Value> value = toPlc(target->types(), target->type(), write.value);
     if (!value)
         return no(whyNot(factsOf(target->types(), target->type(), true), write.value,
-                         kit::messageText(value.error().message, m_language)));
+                         kit::occurrenceText(value.error().message, m_language)));
     const QString from = m_panelName + QStringLiteral(", ") + write.element;
     const std::string origin = originOf(from).toStdString();
     const BindingId before = m_values->bind(write.target);
@@ -253,7 +253,7 @@ QString OperatorStation::post(const WriteRequest& write, const QString& comment)
         return {};
     }
     const Result<types::Value> released = toPlc(target->types(), target->type(), write.released);
-    if (!released) return no(kit::messageText(released.error().message, m_language));
+    if (!released) return no(kit::occurrenceText(released.error().message, m_language));
     m_pressed.insert(write.target, write.released);
     m_run->press({path, *place, program}, *value, *released, origin);
     return {};

@@ -14,7 +14,7 @@ namespace {
 
 struct Opener {
     std::string_view open, close;
-    bool isSoft = false;
+    bool isFlat = false; // what is inside begins at its own column, as the formatter has it
 };
 constexpr Opener kOpeners[] = {
     {"IF", "END_IF"},
@@ -36,21 +36,21 @@ constexpr Opener kOpeners[] = {
     {"VAR_EXTERNAL", "END_VAR"},
     {"VAR_ACCESS", "END_VAR"},
     {"VAR_CONFIG", "END_VAR"},
-    {"PROGRAM", "END_PROGRAM"},
-    {"FUNCTION", "END_FUNCTION"},
-    {"FUNCTION_BLOCK", "END_FUNCTION_BLOCK"},
+    {"PROGRAM", "END_PROGRAM", true},
+    {"FUNCTION", "END_FUNCTION", true},
+    {"FUNCTION_BLOCK", "END_FUNCTION_BLOCK", true},
     {"METHOD", "END_METHOD"},
     {"PROPERTY", "END_PROPERTY"},
-    {"ACTION", "END_ACTION"},
+    {"ACTION", "END_ACTION", true},
     {"INTERFACE", "END_INTERFACE"},
-    {"CLASS", "END_CLASS"},
-    {"NAMESPACE", "END_NAMESPACE"},
+    {"CLASS", "END_CLASS", true},
+    {"NAMESPACE", "END_NAMESPACE", true},
     {"STEP", "END_STEP"},
     {"INITIAL_STEP", "END_STEP"},
     {"TRANSITION", "END_TRANSITION"},
     {"CONFIGURATION", "END_CONFIGURATION"},
     {"RESOURCE", "END_RESOURCE"},
-    {"TEST", "END_TEST"},
+    {"TEST", "END_TEST", true},
 };
 
 struct Scan {
@@ -194,7 +194,7 @@ int indentAfter(std::string_view text, uint32_t offset, int step) {
     const std::string_view line = text.substr(lineBegin, offset - lineBegin);
     const Scan scan = scanBlocks(text, offset);
     for (const Scan::Open& open : scan.open) {
-        if (open.pair.open.begin >= lineBegin) return own + step;
+        if (open.pair.open.begin >= lineBegin) return open.opener->isFlat ? own : own + step;
         for (const BlockMark& middle : open.pair.middle)
             if (middle.begin >= lineBegin && middle.begin < offset) return own + step;
     }
@@ -204,6 +204,12 @@ int indentAfter(std::string_view text, uint32_t offset, int step) {
         scan.open.back().opener->open == "CASE")
         return own + step;
     return own;
+}
+
+bool opensBlock(std::string_view text, uint32_t offset) {
+    const size_t lineBegin = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1; // npos + 1 == 0
+    const Scan scan = scanBlocks(text, offset);
+    return !scan.open.empty() && scan.open.back().pair.open.begin >= lineBegin;
 }
 
 bool closesBlock(std::string_view lineText) {

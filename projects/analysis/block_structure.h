@@ -27,8 +27,11 @@ struct FoldLine {
 [[nodiscard]] std::vector<FoldLine> foldLines(std::string_view text);
 /// The word that would close the innermost block open at `offset` when the text does not close it; "" otherwise.
 [[nodiscard]] std::string missingEnd(std::string_view text, uint32_t offset);
-/// Blanks in front of the line after `offset`'s line (Enter there): the line's own, one step more behind an opener.
+/// Blanks in front of the line after `offset`'s line (Enter there): the line's own, one step
+/// more behind an opener, but for units whose VAR and statements begin at their own column.
 [[nodiscard]] int indentAfter(std::string_view text, uint32_t offset, int step);
+/// The part of the line before `offset` opens a block that is still open there.
+[[nodiscard]] bool opensBlock(std::string_view text, uint32_t offset);
 /// A line that begins with END_…, ELSE, ELSIF, UNTIL belongs one step to the left of what is inside.
 [[nodiscard]] bool closesBlock(std::string_view lineText);
 

@@ -4,6 +4,7 @@
 #include "app/start/start_page.h"
 #include "app/start/tour.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -66,6 +67,21 @@ TEST_F(GuideTest, FilesThatTheReadmeNamesOpenAndOtherPlacesAreLeftAlone) {
     EXPECT_EQ(wanted, "src/main.st");
 }
 
+TEST_F(GuideTest, TheFirstStopOfTheTourShowsAllOfItsTextAndTheWindowKeepsItsSize) {
+    window->closeProject();
+    window->resize(1024, 700);
+    ASSERT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }));
+    ASSERT_TRUE(window->openExample(StartPage::examplesFolder() + "/pid_pt1", true));
+    window->startTour();
+    auto* tour = window->findChild<Tour*>();
+    ASSERT_TRUE(tour && tour->isVisible());
+    settle();
+    for (const QLabel* label : tour->findChildren<QLabel*>())
+        EXPECT_GE(label->height(), label->hasHeightForWidth() ? label->heightForWidth(label->width()) : 0)
+            << "cut: " << label->text().toStdString();
+    EXPECT_EQ(window->size(), QSize(1024, 700)) << window->width() << " x " << window->height();
+}
+
 TEST_F(GuideTest, TheTourIsAboutTheProjectAtHandAndStaysAboveItsDocks) {
     window->startTour();
     auto* tour = window->findChild<Tour*>();
@@ -76,6 +92,9 @@ TEST_F(GuideTest, TheTourIsAboutTheProjectAtHandAndStaysAboveItsDocks) {
     for (int i = 0; i + 1 < tour->count(); ++i) {
         tour->next();
         QApplication::processEvents();
+        for (const QLabel* label : tour->findChildren<QLabel*>())
+            EXPECT_GE(label->height(), label->hasHeightForWidth() ? label->heightForWidth(label->width()) : 0)
+                << "cut: " << label->text().toStdString();
         QWidget* top = window->childAt(tour->rect().center());
         EXPECT_TRUE(top && (top == tour || tour->isAncestorOf(top))) << "stop " << i + 1;
     }

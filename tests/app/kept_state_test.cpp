@@ -46,6 +46,21 @@ protected:
     }
 };
 
+TEST_F(KeptStateTest, AProjectThatCannotBeOpenedLeavesTheOneThatIsOpenAndRuns) {
+    QTemporaryDir broken;
+    QFile file(broken.path() + "/project.json");
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\"name\": \"Broken\"");
+    file.close();
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 3; }));
+    const auto answered = answerNext(QMessageBox::Ok);
+    EXPECT_FALSE(window->openProject(broken.path()));
+    EXPECT_TRUE(*answered) << "why is said";
+    EXPECT_EQ(window->workspace().folder().toStdString(), folder.path().toStdString());
+    EXPECT_EQ(window->control().status().state, controller::State::Running);
+}
+
 TEST_F(KeptStateTest, ShortcutsAreSetInTheSettingsAndStay) {
     QTimer::singleShot(200, qApp, [&] {
         auto* dialog = qobject_cast<SettingsDialog*>(QApplication::activeModalWidget());

@@ -5,6 +5,7 @@
 #include "editor/debug/watch_view.h"
 #include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/occurrence_text.h"
 #include "hmi/model/errors.h"
 #include "hmi/player/player_status.h"
 #include "runtime/controller/fault_report.h"
@@ -120,8 +121,24 @@ TEST(MessageText, EveryFaultIsTranslated) {
                 EXPECT_NE(shown.toStdString(), fault.english()) << language;
                 EXPECT_EQ(shown.contains(u'7'), fault.english().find('7') != std::string::npos) << shown.toStdString();
             }
+            if (context.fault == FaultCode::Stopped) continue; // somebody did that: there is nothing to do
+            for (const char* language : {"en", "de", "da", "fr", "es", "zh-CN"}) {
+                const QString shown = kit::messageText(fault, language), briefly = kit::occurrenceText(fault, language);
+                EXPECT_TRUE(shown.startsWith(briefly)) << briefly.toStdString();
+                EXPECT_LT(briefly.size() + 5, shown.size()) << shown.toStdString();
+                EXPECT_GT(briefly.size(), 3) << shown.toStdString();
+                EXPECT_FALSE(briefly.contains(u';') || briefly.contains(u'；')) << briefly.toStdString();
+                EXPECT_EQ(briefly, briefly.trimmed());
+            }
         }
     }
+}
+
+TEST(MessageText, WhatHappenedKeepsTheNamesAsTheyAre) {
+    EXPECT_EQ(kit::occurrenceText(errors::NoVariable(std::string("a; b")), "en"), "there is no variable 'a; b'");
+    EXPECT_EQ(kit::occurrenceText(Error{errors::DivisionByZero(), "Main.x"}, "de"), "Main.x: Division durch null");
+    EXPECT_EQ(kit::occurrenceText(errors::InSimulation(errors::DivisionByZero()), "en"),
+              "simulation: division by zero");
 }
 
 TEST(MessageText, PlacesAndWhatTheSystemSaysAreKeptAndTranslated) {
@@ -162,7 +179,8 @@ TEST_F(GermanStudioTest, ADivisionByZeroReadsGermanEverywhere) {
     bool isOnButton = false;
     ASSERT_TRUE(waitFor([&] {
         for (auto* button : window->findChildren<QToolButton*>())
-            isOnButton |= button->isVisible() && button->text().startsWith("Division durch null");
+            isOnButton |= button->isVisible() && button->text() == "Division durch null" &&
+                          button->toolTip().contains("prüfen Sie zuerst den Divisor");
         return isOnButton;
     }));
     EXPECT_TRUE(waitFor([&] {
@@ -173,7 +191,7 @@ TEST_F(GermanStudioTest, ADivisionByZeroReadsGermanEverywhere) {
     }));
     const auto* strip = window->live().player()->findChild<hmi::PlayerStatus*>();
     ASSERT_NE(strip, nullptr);
-    EXPECT_TRUE(waitFor([&] { return strip->stateText().contains(": Division durch null"); }))
+    EXPECT_TRUE(waitFor([&] { return strip->stateText().endsWith(": Division durch null"); }))
         << strip->stateText().toStdString();
 }
 

@@ -1,8 +1,10 @@
 // Room for the work: the editor alone, arrangements for editing, debugging and drawing, a window of 1024 × 700; and
 // small things of the window one meets every day.
 #include "app/frame/perspectives.h"
+#include "app/panels/live_views.h"
 #include "app/project/project_tree.h"
 #include "app/settings/translation.h"
+#include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/settle.h"
 
@@ -11,6 +13,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTreeWidget>
 
@@ -50,6 +53,20 @@ TEST_F(PerspectivesTest, EachWorkHasItsDocksAndKeepsWhatWasMoved) {
     window->action("view.debugging")->trigger();
     EXPECT_TRUE(shownDocks().contains("watch"));
     EXPECT_FALSE(shownDocks().contains("forces")) << "it was closed there";
+}
+
+TEST_F(PerspectivesTest, DrawingPanelsHasTheRoomOnASmallScreen) {
+    window->resize(1366, 768);
+    ASSERT_TRUE(window->live().addPanel("overview"));
+    window->showDock("trace"); // which is high
+    window->openDesigner("overview");
+    EXPECT_TRUE(window->statusBar()->currentMessage().startsWith("Ctrl+Alt+3"))
+        << window->statusBar()->currentMessage().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().pageByKey("panel:overview"));
+    ASSERT_NE(designer, nullptr);
+    EXPECT_TRUE(waitFor([&] { return designer->canvas().height() > 280; })) << designer->canvas().height();
+    EXPECT_LT(window->dock("problems")->height(), 200);
 }
 
 TEST_F(PerspectivesTest, TheWindowFitsIntoASmallScreen) {

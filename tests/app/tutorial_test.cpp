@@ -5,6 +5,7 @@
 #include "app/panels/live_views.h"
 #include "app/project/new_project.h"
 #include "editor/debug/watch_view.h"
+#include "editor/kit/expression_edit.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
@@ -14,6 +15,7 @@
 
 #include <QAction>
 #include <QSignalSpy>
+#include <QTreeWidget>
 
 namespace plc::app {
 namespace {
@@ -44,16 +46,40 @@ TEST(Tutorial, ItsStepsWork) {
     const auto end = static_cast<uint32_t>(old.find("END_PROGRAM\n") + 12);
     editor.applyEdits({{{FileId(), 0, end}, listing(0)}});
 
-    // 3: run, write, watch
-    window.action("run.start")->trigger();
+    // 3: run, write, watch, by the keys and the mouse as the page says
+    QTest::keyClick(&window, Qt::Key_F5);
     ASSERT_TRUE(waitFor([&] { return window.control().status().scans > 3; }));
-    ASSERT_TRUE(window.control().write("Main.Start", "TRUE"));
+    window.showDock("watch");
+    auto* entry = window.watch().findChild<kit::ExpressionEdit*>();
+    ASSERT_NE(entry, nullptr);
+    for (const char* name : {"Main.Start", "Main.Stop", "Main.Motor", "Main.RunTime"}) {
+        QTest::keyClicks(entry, name);
+        QTest::keyClick(entry, Qt::Key_Return);
+    }
+    ASSERT_EQ(window.watch().expressions().size(), 4);
+    QTreeWidget& rows = window.watch().tree();
+    int prepared = 0;
+    while (prepared < rows.columnCount() && rows.headerItem()->text(prepared) != "Prepared") ++prepared;
+    const auto writeOther = [&](int row) { // the other value of a BOOL
+        const QPoint at = rows.visualRect(rows.model()->index(row, prepared)).center();
+        QTest::mouseClick(rows.viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(rows.viewport(), Qt::LeftButton, {}, at);
+        QTest::keyClick(&window, Qt::Key_F7, Qt::ControlModifier);
+    };
+    ASSERT_TRUE(waitFor([&] { return rows.topLevelItem(0)->text(1) == "FALSE"; }));
+    writeOther(0);
     ASSERT_TRUE(waitFor([&] { return window.control().value("Main.Motor").isTrue; }));
-    ASSERT_TRUE(window.control().write("Main.Start", "FALSE"));
+    ASSERT_TRUE(waitFor([&] { return rows.topLevelItem(0)->text(1) == "TRUE"; }));
+    writeOther(0);
     ASSERT_TRUE(waitFor([&] { return window.control().value("NOT Main.Start").isTrue; }));
     const uint64_t released = window.control().status().scans;
     ASSERT_TRUE(waitFor([&] { return window.control().status().scans > released + 5; }));
     EXPECT_TRUE(window.control().value("Main.Motor").isTrue) << "it holds itself";
+    writeOther(1);
+    ASSERT_TRUE(waitFor([&] { return !window.control().value("Main.Motor").isTrue; }));
+    ASSERT_TRUE(waitFor([&] { return rows.topLevelItem(1)->text(1) == "FALSE"; }));
+    writeOther(1); // as a released button would
+    ASSERT_TRUE(waitFor([&] { return window.control().value("Main.Stop").isTrue; }));
 
     // 6: a panel in two languages
     ASSERT_TRUE(window.live().addPanel("overview"));

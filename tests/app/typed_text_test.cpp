@@ -43,6 +43,29 @@ TEST_F(TypedTextTest, AnEndBelowTheOneThatEnterHasWrittenIsThatOne) {
     EXPECT_EQ(count("END_IF; // done"), 1) << editor().utf8();
 }
 
+TEST_F(TypedTextTest, AProgramTypedLineByLineWithItsEndsIsThatProgram) {
+    editor().selectAll();
+    const QStringList lines{"PROGRAM Main",       "VAR",         "a, b : BOOL;", "n : INT;",   "END_VAR",
+                            "a := NOT b;",        "IF a THEN",   "n := n + 1;",  "END_IF",     "b := n > 3;",
+                            "FOR n := 1 TO 3 DO", "b := NOT b;", "END_FOR;",     "END_PROGRAM"};
+    for (const QString& line : lines) {
+        if (line != lines.front()) QTest::keyClick(editor().viewport(), Qt::Key_Return);
+        QTest::keyClicks(editor().viewport(), line);
+    }
+    EXPECT_EQ(editor().utf8(),
+              "PROGRAM Main\nVAR\n    a, b : BOOL;\n    n : INT;\nEND_VAR\na := NOT b;\nIF a THEN\n    n := "
+              "n + 1;\nEND_IF;\nb := n > 3;\nFOR n := 1 TO 3 DO\n    b := NOT b;\nEND_FOR;\nEND_PROGRAM")
+        << "as the formatter has it, each end once";
+}
+
+TEST_F(TypedTextTest, AListOfNamesClosesWhenTheEditorIsTakenElsewhere) {
+    typeAtEnd("cou");
+    using S = QsciScintillaBase;
+    ASSERT_TRUE(waitFor([&] { return editor().SendScintilla(S::SCI_AUTOCACTIVE) != 0; }));
+    editor().goTo(0); // as a fault, a breakpoint or a click on a problem does
+    EXPECT_EQ(editor().SendScintilla(S::SCI_AUTOCACTIVE), 0);
+}
+
 TEST_F(TypedTextTest, AnEndThatClosesAnotherBlockIsWritten) {
     typeAtEnd("IF done THEN");
     QTest::keyClick(editor().viewport(), Qt::Key_Return);

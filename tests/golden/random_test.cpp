@@ -1,450 +1,43 @@
 // Random programs: whatever they compute, quick code, optimised code and quick code that is asked at every statement
 // (as by a debugger) leave the same image after each scan and fault at the same place by the same calls; an online
 // change to the same statements changes no value; and expressions have the same value for the expression evaluator.
-// STEPWISE_LONG=1 makes 100,000 of them; a failure prints its seed and its program.
+// A few run one by one, scan by scan, and are looked at in every way. Many are compiled together (random_batch.h): all
+// are compared with the evaluator, every tenth batch in every way. STEPWISE_LONG=1 makes 100,000 of them, from
+// STEPWISE_SEED on and STEPWISE_PROGRAMS of each kind; a failure prints its seed and its program.
 #include "tests/golden/random_test.h"
 
-#include "runtime/compiler/driver/driver.h"
-#include "runtime/controller/controller.h"
+#include "tests/golden/random_batch.h"
+#include "tests/golden/random_runs.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <cstring>
-#include <random>
+#include <iostream>
 
 namespace plc::golden {
 namespace {
 
-constexpr const char* kIntegers[] = {"SINT",  "INT",   "DINT", "LINT", "USINT", "UINT",
-                                     "UDINT", "ULINT", "BYTE", "WORD", "DWORD", "LWORD"};
-constexpr const char* kReals[] = {"REAL", "LREAL"};
-constexpr const char* kDates[] = {"DATE", "TOD", "DT"};
-
-/// What every program has beside its own statements: blocks that inherit, with methods, properties and an interface.
-constexpr const char* kPrelude = R"(
-FUNCTION_BLOCK Part
-VAR_INPUT
-x : INT;
-y : REAL;
-END_VAR
-VAR_OUTPUT
-sum : DINT;
-out : REAL;
-END_VAR
-sum := sum + x;
-IF y > out THEN out := y; ELSE out := out * 0.5; END_IF
-END_FUNCTION_BLOCK
-FUNCTION Mixed : INT
-VAR_INPUT
-p, q : INT;
-END_VAR
-VAR
-k : INT;
-END_VAR
-FOR k := 1 TO 3 DO Mixed := Mixed + p * k - q; END_FOR
-END_FUNCTION
-INTERFACE IAdder
-METHOD Add : DINT
-VAR_INPUT
-n : INT;
-END_VAR
-END_METHOD
-END_INTERFACE
-FUNCTION_BLOCK Base IMPLEMENTS IAdder
-VAR
-total : DINT;
-held : INT;
-END_VAR
-METHOD Add : DINT
-VAR_INPUT
-n : INT;
-END_VAR
-total := total + n;
-Add := total;
-END_METHOD
-METHOD Share : DINT
-VAR_INPUT
-n : INT;
-END_VAR
-Share := total / n;
-END_METHOD
-PROPERTY Level : INT
-GET
-Level := held;
-END_GET
-SET
-IF Level > 100 THEN held := 100; ELSE held := Level; END_IF
-END_SET
-END_PROPERTY
-END_FUNCTION_BLOCK
-FUNCTION_BLOCK Derived EXTENDS Base
-VAR
-calls : INT;
-END_VAR
-METHOD Add : DINT
-VAR_INPUT
-n : INT;
-END_VAR
-calls := calls + 1;
-Add := SUPER^.Add(n := n) * 2 + calls;
-END_METHOD
-END_FUNCTION_BLOCK
-)";
-
-class Generator {
-public:
-    explicit Generator(uint32_t seed) : m_random(seed) {}
-
-    size_t pick(size_t count) { return m_random() % count; }
-    bool chance(size_t percent) { return pick(100) < percent; }
-    template <size_t N> std::string oneOf(const char* const (&list)[N]) { return list[pick(N)]; }
-    std::string anyType() {
-        return chance(55)   ? oneOf(kIntegers)
-               : chance(40) ? oneOf(kReals)
-               : chance(30) ? "BOOL"
-               : chance(30) ? oneOf(kDates)
-               : chance(50) ? "TIME"
-                            : "STRING";
-    }
-    static bool isReal(const std::string& type) { return type == "REAL" || type == "LREAL"; }
-
-    /// A variable of `type`: v_INT_1 and so on, or an element of a_INT.
-    std::string variable(const std::string& type) {
-        if (type != "STRING" && chance(25)) return "a_" + type + "[" + index() + "]";
-        return "v_" + type + "_" + std::to_string(1 + pick(3));
-    }
-    std::string index() {
-        if (chance(40)) return std::to_string(pick(5));
-        if (m_mayFault && chance(4)) return expression("INT", 1);
-        return "LIMIT(0, " + expression("INT", 1) + ", 4)";
-    }
-
-    std::string literal(const std::string& type) {
-        if (type == "BOOL") return chance(50) ? "TRUE" : "FALSE";
-        if (type == "TIME") return "T#" + std::to_string(pick(5000)) + "ms";
-        if (type == "DATE") return "D#20" + std::to_string(10 + pick(30)) + "-02-2" + std::to_string(pick(9));
-        if (type == "TOD") return "TOD#" + std::to_string(pick(24)) + ":59:" + std::to_string(10 + pick(50));
-        if (type == "DT")
-            return "DT#20" + std::to_string(10 + pick(30)) + "-12-31-23:5" + std::to_string(pick(10)) + ":00";
-        if (type == "STRING") {
-            std::string text = "'";
-            for (size_t n = pick(6); n > 0; --n) text += "abc12 "[pick(6)];
-            return text + "'";
-        }
-        if (isReal(type))
-            return type + "#" + std::to_string(static_cast<int>(pick(2000)) - 1000) + "." + std::to_string(pick(100));
-        const bool isSigned = type == "SINT" || type == "INT" || type == "DINT" || type == "LINT";
-        return type + "#" + (isSigned && chance(30) ? "-" : "") + std::to_string(pick(chance(50) ? 8 : 128));
-    }
-
-    std::string expression(const std::string& type, int depth) {
-        if (depth <= 0) return chance(70) ? variable(type) : literal(type);
-        if (type == "BOOL") return truth(depth - 1);
-        if (type == "TIME") return duration(depth - 1);
-        if (type == "STRING") return text(depth - 1);
-        if (type == "DATE" || type == "TOD" || type == "DT") return date(type, depth - 1);
-        return isReal(type) ? real(type, depth - 1) : integer(type, depth - 1);
-    }
-
-    std::string statement(int depth) {
-        const size_t kind = depth <= 0 ? 0 : pick(12);
-        if (kind < 5) {
-            const std::string type = anyType();
-            return variable(type) + " := " + expression(type, 3) + ";\n";
-        }
-        if (kind < 7)
-            return "IF " + expression("BOOL", 2) + " THEN\n" + block(depth - 1) +
-                   (chance(50) ? "ELSE\n" + block(depth - 1) : "") + "END_IF\n";
-        if (kind == 7) {
-            const std::string counter = "i" + std::to_string(m_loops++);
-            m_counters += counter + " : INT;\n";
-            return "FOR " + counter + " := " + std::to_string(static_cast<int>(pick(4)) - 1) + " TO " +
-                   std::to_string(pick(6)) + (chance(30) ? " BY 2" : "") + " DO\n" + block(depth - 1) +
-                   (chance(60)
-                        ? "a_INT[LIMIT(0, " + counter + ", 4)] := " + expression("INT", 2) + " + " + counter + ";\n"
-                        : "") +
-                   (chance(20) ? "IF " + expression("BOOL", 1) + " THEN EXIT; END_IF\n" : "") + "END_FOR\n";
-        }
-        if (kind == 8)
-            return "CASE " + expression("INT", 2) + " OF\n0, 2: " + block(depth - 1) + "-5..-1: " + block(depth - 1) +
-                   "7..100: " + block(depth - 1) + "ELSE\n" + block(depth - 1) + "END_CASE\n";
-        if (kind == 9) return object() + ".Level := " + expression("INT", 2) + ";\n";
-        if (kind == 10)
-            return "IF " + expression("BOOL", 1) + " THEN adder := base; ELSE adder := derived; END_IF\n" +
-                   variable("DINT") + " := adder.Add(" + expression("INT", 2) + ");\n";
-        return "f_" + std::to_string(1 + pick(2)) + "(x := " + expression("INT", 2) +
-               ", y := " + expression("REAL", 2) + ");\n";
-    }
-    std::string block(int depth) {
-        std::string out;
-        for (size_t n = 1 + pick(3); n > 0; --n) out += statement(depth);
-        return out;
-    }
-
-    std::string program(std::vector<std::pair<std::string, std::string>>* watched) {
-        std::string body;
-        for (int i = 0; i < 12; ++i) body += statement(3);
-        std::string watches;
-        if (watched) {
-            m_mayFault = false;
-            for (int i = 0; i < 40; ++i) {
-                const std::string type = anyType(), name = "w" + std::to_string(i);
-                const std::string expr = expression(type, 4);
-                watched->emplace_back(name, expr);
-                watches += name + " : " + type + ";\n";
-                body += name + " := " + expr + ";\n";
-            }
-        }
-        std::string declarations;
-        const auto declare = [&](const std::string& type) {
-            for (int i = 1; i <= 3; ++i)
-                declarations += "v_" + type + "_" + std::to_string(i) + " : " +
-                                (type == "STRING" ? "STRING(12)" : type) + " := " + literal(type) + ";\n";
-            if (type != "STRING")
-                declarations += "a_" + type + " : ARRAY[0..4] OF " + type + " := [" + literal(type) + ", " +
-                                literal(type) + ", " + literal(type) + "];\n";
-        };
-        for (const char* type : kIntegers) declare(type);
-        for (const char* type : {"REAL", "LREAL", "BOOL", "TIME", "STRING", "DATE", "TOD", "DT"}) declare(type);
-        return kPrelude + std::string("PROGRAM Main\nVAR\n") + declarations + m_counters + watches +
-               "f_1, f_2 : Part;\nbase : Base;\nderived : Derived;\nadder : IAdder;\nEND_VAR\n" + body +
-               "END_PROGRAM\n";
-    }
-
-    void mayFault(bool may) { m_mayFault = may; }
-
-private:
-    std::string object() { return chance(50) ? "base" : "derived"; }
-    std::string date(const std::string& type, int depth) {
-        const auto self = [&] { return "(" + expression(type, depth) + ")"; };
-        switch (pick(6)) {
-        case 0:
-            return (chance(50) ? "MIN(" : "MAX(") + self() + ", " + self() + ")";
-        case 1:
-            return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
-        case 2:
-            return "DINT_TO_" + type + "(" + expression("DINT", depth) + ")";
-        case 3:
-            return type == "DT" ? "CONCAT_DATE_TOD(" + expression("DATE", depth) + ", " + expression("TOD", depth) + ")"
-                                : "DT_TO_" + type + "(" + expression("DT", depth) + ")";
-        default:
-            if (type == "DATE") return "DT_TO_DATE(" + expression("DT", depth) + ")";
-            return self() + (chance(50) ? " + (" : " - (") + expression("TIME", depth) + ")";
-        }
-    }
-    std::string truth(int depth) {
-        switch (pick(6)) {
-        case 0:
-            return "(" + expression("BOOL", depth) + (chance(50) ? " AND " : " OR ") + expression("BOOL", depth) + ")";
-        case 1:
-            return "NOT (" + expression("BOOL", depth) + ")";
-        case 2:
-            return "(" + expression("BOOL", depth) + " XOR " + expression("BOOL", depth) + ")";
-        case 3:
-            return variable("BOOL");
-        default: {
-            const std::string type = anyType();
-            constexpr const char* kCompare[] = {"=", "<>", "<", "<=", ">", ">="};
-            return "((" + expression(type, depth) + ") " + oneOf(kCompare) + " (" + expression(type, depth) + "))";
-        }
-        }
-    }
-    std::string integer(const std::string& type, int depth) {
-        const auto self = [&] { return "(" + expression(type, depth) + ")"; };
-        switch (pick(15)) {
-        case 0:
-            return self() + " + " + self();
-        case 1:
-            return self() + " - " + self();
-        case 2:
-            return self() + " * " + self();
-        case 3:
-            return self() + (chance(50) ? " / " : " MOD ") +
-                   (m_mayFault && chance(10) ? self() : "(" + self() + " OR " + type + "#1)");
-        case 4:
-            return self() + (chance(50) ? " AND " : " XOR ") + self();
-        case 5:
-            return (chance(50) ? "SHL(" : "SHR(") + self() + ", " + expression("INT", 1) + ")";
-        case 6:
-            return (chance(50) ? "MIN(" : "MAX(") + self() + ", " + self() + ")";
-        case 7:
-            return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
-        case 8:
-            return "LIMIT(" + self() + ", " + self() + ", " + self() + ")";
-        case 9:
-        case 10: {
-            const std::string from = oneOf(kIntegers);
-            return from + "_TO_" + type + "(" + expression(from, depth) + ")";
-        }
-        case 11: {
-            const std::string from = chance(70) ? oneOf(kReals) : chance(50) ? "TIME" : "BOOL";
-            return from + "_TO_" + type + "(" + expression(from, depth) + ")";
-        }
-        case 12:
-            return "STRING_TO_" + type + "(" + expression("STRING", depth) + ")";
-        case 13:
-            if (type == "DINT" && m_mayFault && chance(20))
-                return object() + ".Share(" + expression("INT", depth) + ")";
-            if (type == "DINT") return object() + ".Add(n := " + expression("INT", depth) + ")";
-            if (type == "INT" && chance(40)) return object() + ".Level";
-            return type == "INT" ? "Mixed(" + expression("INT", depth) + ", " + expression("INT", depth) + ")"
-                                 : "NOT " + self();
-        default:
-            return (chance(50) ? "ABS(" : "MUX(" + expression("INT", 1) + ", " + self() + ", ") + self() + ")";
-        }
-    }
-    std::string real(const std::string& type, int depth) {
-        const auto self = [&] { return "(" + expression(type, depth) + ")"; };
-        switch (pick(10)) {
-        case 0:
-            return self() + " + " + self();
-        case 1:
-            return self() + " - " + self();
-        case 2:
-            return self() + " * " + self();
-        case 3:
-            return self() + " / " + self();
-        case 4:
-            return "SQRT(" + self() + ")";
-        case 5:
-            return "SIN(" + self() + ")";
-        case 6:
-            return "MAX(" + self() + ", " + self() + ")";
-        case 7: {
-            const std::string from = chance(70) ? oneOf(kIntegers) : type == "REAL" ? "LREAL" : "REAL";
-            return from + "_TO_" + type + "(" + expression(from, depth) + ")";
-        }
-        case 8:
-            return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
-        default:
-            return "-" + self();
-        }
-    }
-    std::string duration(int depth) {
-        switch (pick(6)) {
-        case 5: {
-            const std::string type = oneOf(kDates);
-            return "(" + expression(type, depth) + ") - (" + expression(type, depth) + ")";
-        }
-        case 0:
-            return "(" + expression("TIME", depth) + ") + (" + expression("TIME", depth) + ")";
-        case 1:
-            return "(" + expression("TIME", depth) + ") - (" + expression("TIME", depth) + ")";
-        case 2:
-            return "(" + expression("TIME", depth) + ") * (" + expression("INT", depth) + ")";
-        case 3:
-            return "DINT_TO_TIME(" + expression("DINT", depth) + ")";
-        default:
-            return "MIN(" + expression("TIME", depth) + ", " + expression("TIME", depth) + ")";
-        }
-    }
-    std::string text(int depth) {
-        switch (pick(6)) {
-        case 0:
-            return "CONCAT(" + expression("STRING", depth) + ", " + expression("STRING", depth) + ")";
-        case 1:
-            return "LEFT(" + expression("STRING", depth) + ", " + expression("INT", 1) + ")";
-        case 2:
-            return "MID(" + expression("STRING", depth) + ", " + expression("INT", 1) + ", " + expression("INT", 1) +
-                   ")";
-        case 3:
-            return "INT_TO_STRING(" + expression("INT", depth) + ")";
-        case 4:
-            return "REPLACE(" + expression("STRING", depth) + ", " + expression("STRING", depth) + ", 1, 2)";
-        default:
-            return "SEL(" + expression("BOOL", depth) + ", " + expression("STRING", depth) + ", " +
-                   expression("STRING", depth) + ")";
-        }
-    }
-
-    std::mt19937 m_random;
-    std::string m_counters;
-    int m_loops = 0;
-    bool m_mayFault = true;
+struct Tally {
+    size_t finished = 0, faulted = 0;
 };
-
-struct Scanned {
-    std::vector<std::vector<std::byte>> images;
-    std::string fault;
-    size_t stops = 0; // at statements
-};
-
-enum class Run : uint8_t { Newest /* code */, Asked /* at every statement */ };
-
-std::string faultText(const controller::Fault& fault, const image::CompiledProgram& program) {
-    const auto line = [&](const SourceRange& range) {
-        if (!range.file.isValid()) return std::string("?");
-        return std::to_string(program.sources[range.file].lineColumn(range.begin).line);
-    };
-    std::string text = fault.message.english() + " at line " + line(fault.range);
-    for (const controller::FaultFrame& frame : fault.calls)
-        text += ", in " + frame.function + " (" + frame.instance + ") line " + line(frame.range);
-    return text;
-}
-
-constexpr int kScans = 6;
-
-controller::Settings settings() {
-    controller::Settings made;
-    made.loopBudgetPerScan = 1'000'000;
-    return made;
-}
 
 Scanned scanned(const driver::Built& built, Run run = Run::Newest) {
     Scanned out;
-    controller::Controller controller(built.program, settings());
-    if (run == Run::Asked) {
-        controller.useQuickCode(true);
-        controller.setSiteHook([&out](uint32_t, uint32_t, uint32_t) { ++out.stops; });
-        std::ranges::fill(controller.siteFlags(), uint8_t(1));
-    }
+    controller::Controller controller(built.program, randomSettings());
+    if (run == Run::Asked) askAtEveryStatement(controller, out.stops);
     controller.start();
     for (int i = 0; i < kScans && !controller.fault(); ++i) {
         controller.scan();
         out.images.emplace_back(controller.image().begin(), controller.image().begin() + built.program->layout.dataEnd);
     }
-    if (controller.fault()) out.fault = faultText(*controller.fault(), *built.program);
+    takeFault(controller, out);
     return out;
 }
 
-/// A NaN keeps its sign or not; texts differ behind their end.
-bool isSame(const image::CompiledProgram& program, const std::vector<std::byte>& a, const std::vector<std::byte>& b,
-            std::string& difference) {
-    if (a == b) return true;
-    bool same = true;
-    const auto& types = *program.layout.types;
-    for (const image::Root& root : program.layout.roots) {
-        program.layout.forEachLeaf(
-            root.name, {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
-                const auto text = [&](const std::vector<std::byte>& image) {
-                    return types::toText(
-                        types, types::readValue(types, place.type, std::span(image).subspan(place.offset), place.bit));
-                };
-                if (text(a) == text(b)) return true;
-                difference = path + ": " + text(a) + " and " + text(b);
-                return same = false;
-            });
-        if (!same) return false;
-    }
-    return true;
-}
-
-constexpr uint32_t kLong = 50'000; // of each of the two tests
-
-struct Tally {
-    int finished = 0, faulted = 0;
-};
-
 void expectSame(const image::CompiledProgram& program, const Scanned& quick, const Scanned& other,
                 const std::string& what) {
-    ASSERT_EQ(quick.fault, other.fault) << what;
-    ASSERT_EQ(quick.images.size(), other.images.size()) << what;
-    for (size_t i = 0; i < quick.images.size(); ++i) {
-        std::string difference;
-        ASSERT_TRUE(isSame(program, quick.images[i], other.images[i], difference))
-            << "scan " << i << ", " << difference << ", " << what;
-    }
+    for (const image::Root& root : program.layout.roots)
+        ASSERT_EQ(differenceBetween(program, root, quick, other, 0), "") << what;
 }
 
 /// The program with a variable more, which moves all others: changed to it half way, every value is as if it had not
@@ -456,7 +49,7 @@ void changeOnline(const driver::Built& built, const Scanned& expected, const std
     text.insert(text.find(head) + head.size(), "added : LINT := 7;\n");
     const driver::Built other = driver::build(input);
     ASSERT_TRUE(other.program) << what;
-    controller::Controller controller(built.program, settings());
+    controller::Controller controller(built.program, randomSettings());
     controller.start();
     for (int i = 0; i < kScans; ++i) {
         if (i == kScans / 2) {
@@ -482,25 +75,19 @@ void changeOnline(const driver::Built& built, const Scanned& expected, const std
             });
 }
 
-void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
-    Generator generator(seed);
-    generator.mayFault(mayFault);
-    std::vector<std::pair<std::string, std::string>> watched;
+void runRandom(uint32_t seed, Faults faults, Tally& tally) {
+    const RandomProgram random = randomProgram(seed, faults, "Main");
     driver::BuildInput input;
-    input.files.push_back({"random.st", generator.program(mayFault ? nullptr : &watched)});
-    const std::string& text = input.files[0].text;
+    input.files.push_back({"random.st", randomPrelude() + random.text});
+    const std::string what = "seed " + std::to_string(seed) + "\n" + input.files[0].text;
     const driver::Built built = driver::build(input);
-    ASSERT_EQ(built.failure.english(), "") << "seed " << seed << "\n" << text;
+    ASSERT_EQ(built.failure.english(), "") << what;
     for (const auto& diagnostic : built.checked.analysis->diagnostics) {
-        // chance made a constant index or divisor that cannot be
-        if (diagnostic.kind == diagnostics::Kind::ConstantIndexOutOfRange ||
-            diagnostic.kind == diagnostics::Kind::DivisionByConstantZero)
-            return;
+        if (isByChance(diagnostic)) return;
         if (diagnostic.severity == diagnostics::Severity::Error)
             FAIL() << "seed " << seed << "\n" << diagnostics::renderText(*built.checked.sources, diagnostic, false);
     }
     ASSERT_TRUE(built.program);
-    const std::string what = "seed " + std::to_string(seed) + "\n" + text;
     const Scanned quick = scanned(built);
     const Scanned asked = scanned(built, Run::Asked);
     EXPECT_GT(asked.stops, 0u) << what;
@@ -511,60 +98,104 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
     ASSERT_TRUE(driver::optimise(built));
     ASSERT_NO_FATAL_FAILURE(expectSame(*built.program, quick, scanned(built), "optimised, " + what));
     ++(quick.fault.empty() ? tally.finished : tally.faulted);
-    if (!quick.fault.empty()) return;
-    for (const auto& [name, expr] : watched) {
-        const auto expression = driver::compileExpression(built.checked, expr, "Main");
-        if (!expression) {
-            if (expr.find("Mixed(") == std::string::npos && expr.find(".Add(") == std::string::npos &&
-                expr.find(".Level") == std::string::npos)
-                ADD_FAILURE() << "seed " << seed << ": " << expr << ": " << expression.error().message.english();
-            continue; // calls of functions are not for watches
-        }
-        const auto place = built.program->layout.find("Main." + name);
-        ASSERT_TRUE(place);
-        const auto& types = expression->types();
-        const auto outcome = expression->evaluate(quick.images.back());
-        std::string value = outcome.hasValue() ? types::toText(types, outcome.value) : outcome.reason.english();
-        if (types.isText(place->type) && outcome.hasValue() &&
-            std::get<std::string>(outcome.value.data).size() > types[place->type].capacity)
-            continue; // cut when it was stored
-        EXPECT_EQ(value, types::toText(types, types::readValue(types, place->type,
-                                                               std::span(quick.images.back()).subspan(place->offset),
-                                                               place->bit)))
-            << "seed " << seed << ": " << expr;
-    }
+    EXPECT_EQ(evaluatedOtherwise(built, "Main", random, quick, quick.images.back()), "") << what;
 }
 
-class RandomTest : public testing::Test {
+uint32_t numberFrom(const char* variable, uint32_t otherwise) {
+    const char* text = std::getenv(variable);
+    return text && *text ? static_cast<uint32_t>(std::strtoul(text, nullptr, 10)) : otherwise;
+}
+bool isLong() { return numberFrom("STEPWISE_LONG", 0) == 1; }
+uint32_t firstSeed() { return numberFrom("STEPWISE_SEED", 1); }
+
+class SingleTest : public testing::Test {
 public:
-    RandomTest(bool mayFault, uint32_t first, uint32_t count) : m_mayFault(mayFault), m_first(first), m_count(count) {}
+    explicit SingleTest(Faults faults) : m_faults(faults) {}
     void TestBody() override {
+        constexpr uint32_t kPrograms = 12;
         Tally tally;
-        const char* everything = std::getenv("STEPWISE_LONG");
-        const uint32_t count = everything && *everything == '1' ? kLong : m_count;
-        for (uint32_t seed = m_first; seed < m_first + count && !HasFailure(); ++seed)
-            runRandom(seed, m_mayFault, tally);
-        EXPECT_GT(tally.finished, 0);
-        EXPECT_EQ(tally.faulted > 0, m_mayFault)
+        for (uint32_t seed = firstSeed(); seed < firstSeed() + kPrograms && !HasFailure(); ++seed)
+            runRandom(seed, m_faults, tally);
+        EXPECT_GT(tally.finished, 0u);
+        EXPECT_EQ(tally.faulted > 0, m_faults == Faults::Possible)
             << "faulted " << tally.faulted << " of " << tally.faulted + tally.finished;
-        RecordProperty("finished", tally.finished);
-        RecordProperty("faulted", tally.faulted);
     }
 
 private:
-    bool m_mayFault;
-    uint32_t m_first, m_count;
+    Faults m_faults;
 };
+
+class BatchTest : public testing::Test {
+public:
+    explicit BatchTest(Faults faults) : m_faults(faults) {}
+    void TestBody() override {
+        constexpr uint32_t kBatch = 50, kShort = 20, kLong = 50'000, kFullEvery = 10;
+        const uint32_t count = numberFrom("STEPWISE_PROGRAMS", isLong() ? kLong : kShort);
+        // behind those that ran one by one
+        const uint32_t first = firstSeed() + 1000, end = first + count;
+        uint32_t batch = 0;
+        for (uint32_t seed = first; seed < end && !HasFailure(); seed += kBatch)
+            take(runBatch(seed, std::min(kBatch, end - seed), m_faults,
+                          batch++ % kFullEvery == 0 ? Depth::Full : Depth::Quick));
+        std::cout << m_sum.finished << " programs finished, " << m_sum.faulted << " faulted, " << m_sum.dropped
+                  << " had an error by chance; seeds " << first << " to " << end - 1 << "; processor time "
+                  << m_sum.seconds << " s, without what only every tenth batch has " << m_sum.quickSeconds << " s\n";
+        EXPECT_GT(m_sum.finished, 0u);
+        EXPECT_EQ(m_sum.faulted > 0, m_faults == Faults::Possible);
+    }
+
+private:
+    /// What differs is run once more by itself, and shown with its text.
+    void take(const BatchReport& report) {
+        m_sum.finished += report.finished;
+        m_sum.faulted += report.faulted;
+        m_sum.dropped += report.dropped;
+        m_sum.seconds += report.seconds;
+        m_sum.quickSeconds += report.quickSeconds;
+        for (const Difference& difference : report.differences) {
+            ADD_FAILURE() << "seed " << difference.seed << ": " << difference.what << "\n"
+                          << randomPrelude() << randomProgram(difference.seed, m_faults, "Main").text;
+            Tally alone;
+            runRandom(difference.seed, m_faults, alone);
+        }
+    }
+    Faults m_faults;
+    BatchReport m_sum;
+};
+
+/// What every comparison rests on: one bit in one value of one scan is a difference, and has its name.
+TEST(Random, ADifferenceIsFoundAndNamed) {
+    driver::BuildInput input;
+    input.files.push_back({"random.st", randomPrelude() + randomProgram(1, Faults::None, "Main").text});
+    const driver::Built built = driver::build(input);
+    ASSERT_TRUE(built.program);
+    const image::CompiledProgram& program = *built.program;
+    const Scanned one = scanned(built);
+    const image::Root& root = program.layout.roots.front();
+    const auto place = program.layout.find("Main.v_DINT_2");
+    ASSERT_TRUE(place);
+    Scanned other = one;
+    EXPECT_EQ(differenceBetween(program, root, one, other, 0), "");
+    other.images[3][place->offset] ^= std::byte(1);
+    EXPECT_NE(differenceBetween(program, root, one, other, 0).find("scan 3, Main.v_DINT_2: "), std::string::npos);
+    other = one;
+    other.fault = "division by zero";
+    EXPECT_NE(differenceBetween(program, root, one, other, 0).find("division by zero"), std::string::npos);
+    const RandomProgram wrong{1, "Main", {}, {{"v_DINT_2", "v_DINT_2 + DINT#1"}}};
+    EXPECT_NE(evaluatedOtherwise(built, "Main", wrong, one, one.images.back()), "");
+}
 
 } // namespace
 
 void registerRandom() {
-    const char* from = std::getenv("STEPWISE_SEED");
-    const auto first = static_cast<uint32_t>(from ? std::strtoul(from, nullptr, 10) : 1);
-    testing::RegisterTest("Random", "ProgramsGiveTheSameInEachTier", nullptr, nullptr, __FILE__, __LINE__,
-                          [first]() -> testing::Test* { return new RandomTest(true, first, 12); });
-    testing::RegisterTest("Random", "ExpressionsGiveTheSameToTheEvaluator", nullptr, nullptr, __FILE__, __LINE__,
-                          [first]() -> testing::Test* { return new RandomTest(false, first, 12); });
+    const auto add = [](const char* name, auto make) {
+        testing::RegisterTest("Random", name, nullptr, nullptr, __FILE__, __LINE__,
+                              [make]() -> testing::Test* { return make(); });
+    };
+    add("ProgramsGiveTheSameInEachTier", [] { return new SingleTest(Faults::Possible); });
+    add("ExpressionsGiveTheSameToTheEvaluator", [] { return new SingleTest(Faults::None); });
+    add("ManyProgramsFaultAtTheSamePlaces", [] { return new BatchTest(Faults::Possible); });
+    add("ManyProgramsGiveTheSameToTheEvaluator", [] { return new BatchTest(Faults::None); });
 }
 
 } // namespace plc::golden

@@ -4,6 +4,7 @@
 #include "hmi/designer/canvas/outline.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/editors/alarm_editor.h"
+#include "hmi/designer/editors/language_choice.h"
 #include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/designer/sheet/records_dialog.h"
@@ -14,11 +15,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDropEvent>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTimer>
+#include <QToolButton>
 #include <QTreeWidget>
 
 namespace plc::hmi {
@@ -384,6 +392,93 @@ TEST(Texts, TheTableEditorRenamesKeysEverywhereAndKnowsTheUsers) {
     editor.addLanguage(QStringLiteral("fr"));
     editor.undoStack().undo();
     EXPECT_EQ(studio.project.texts.table().write(), now);
+}
+
+TEST(Designer, ANewNavigationBarLeadsToThePanelsOfTheProject) {
+    Studio studio;
+    for (const char* name : {"mixing", "alarms"}) studio.project.panels.push_back({QLatin1String(name), panelOf("")});
+    studio.dropElement(ElementKind::NavigationBar, 300, 300);
+    ASSERT_EQ(studio.panel().elements().size(), 1u);
+    QStringList places;
+    for (const Json& entry : studio.panel().elements().front().fields()["entries"])
+        places << QString::fromStdString(entry["panel"].get<std::string>());
+    EXPECT_EQ(places, (QStringList{"main", "mixing", "alarms"}));
+    studio.designer->document().undoStack().undo();
+    EXPECT_TRUE(studio.panel().elements().empty());
+}
+
+TEST(Texts, ALanguageIsChosenByItsNameAndNonsenseIsRefused) {
+    for (const auto& [typed, tag] : std::vector<std::pair<const char*, const char*>>{{"Deutsch (de)", "de"},
+                                                                                     {"german", "de"},
+                                                                                     {"Deutsch", "de"},
+                                                                                     {"DE", "de"},
+                                                                                     {"zh-CN", "zh-CN"},
+                                                                                     {"de-AT", "de-AT"},
+                                                                                     {"ar-u-nu-latn", "ar-u-nu-latn"},
+                                                                                     {"", ""},
+                                                                                     {"xx", ""},
+                                                                                     {"machine", ""},
+                                                                                     {"de,fr", ""},
+                                                                                     {"c", ""},
+                                                                                     {"1", ""}})
+        EXPECT_EQ(languageTagOf(QString::fromUtf8(typed)).toStdString(), tag) << typed;
+    EXPECT_TRUE(languagesToChoose().contains(QStringLiteral("Deutsch (de)")));
+    Studio studio;
+    TextEditor editor(*studio.context);
+    editor.show();
+    QToolButton* button = nullptr;
+    for (QToolButton* each : editor.findChildren<QToolButton*>())
+        if (each->text() == QStringLiteral("Add a language")) button = each;
+    ASSERT_NE(button, nullptr);
+    EXPECT_EQ(button->toolButtonStyle(), Qt::ToolButtonTextBesideIcon) << "it is found without pointing at it";
+    QStringList seen;
+    QTimer answers; // with the keys, as they come: nonsense, its warning, a language
+    QObject::connect(&answers, &QTimer::timeout, [&] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (!dialog) return;
+        if (auto* warning = qobject_cast<QMessageBox*>(dialog)) {
+            seen << warning->text();
+            return QTest::keyClick(warning, Qt::Key_Escape);
+        }
+        auto* field = dialog->findChild<QComboBox*>();
+        field->lineEdit()->selectAll();
+        QTest::keyClicks(field->lineEdit(), seen.isEmpty() ? "machine" : "fr");
+        QTest::keyClick(field->lineEdit(), Qt::Key_Return);
+    });
+    answers.start(20);
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_EQ(seen.size(), 1);
+    EXPECT_TRUE(seen[0].startsWith("machine is no language; ")) << seen[0].toStdString();
+    EXPECT_TRUE(studio.project.texts.table().tags().contains("fr"));
+    EXPECT_FALSE(studio.project.texts.table().tags().contains("machine"));
+}
+
+TEST(Texts, ALanguageIsTakenOutByTheMenuOfItsColumnAndUndoBringsItBack) {
+    Studio studio;
+    TextEditor editor(*studio.context);
+    editor.resize(900, 300);
+    editor.show();
+    editor.activateWindow();
+    editor.setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return editor.view().hasFocus(); }, 8000)) << "not the search line";
+    const std::string before = studio.project.texts.table().write();
+    const int column = TextModel::FirstLanguage + static_cast<int>(studio.project.texts.table().tags().indexOf("da"));
+    QHeaderView* header = editor.view().horizontalHeader();
+    const QPoint at(header->sectionViewportPosition(column) + 20, header->height() / 2);
+    QTimer chooses;
+    QObject::connect(&chooses, &QTimer::timeout, [&] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        if (!menu) return;
+        EXPECT_EQ(menu->actions().front()->text().remove(u'&').toStdString(), "Remove dansk");
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
+    });
+    chooses.start(20);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, header->viewport()->mapToGlobal(at));
+    QApplication::sendEvent(header->viewport(), &event);
+    chooses.stop();
+    EXPECT_FALSE(studio.project.texts.table().tags().contains("da"));
+    QTest::keyClick(editor.findChild<QLineEdit*>(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(studio.project.texts.table().write(), before) << "from an empty search line, too";
 }
 
 TEST(Alarms, TheEditorAddsChangesAndUndoes) {

@@ -8,6 +8,7 @@
 #include "hmi/designer/context/applicable.h"
 #include "hmi/designer/context/arrange.h"
 #include "hmi/model/errors.h"
+#include "hmi/model/faceplate.h"
 #include "hmi/model/property_literals.h"
 #include "runtime/base/read_json.h"
 
@@ -101,6 +102,24 @@ void DesignCanvas::dropEvent(QDropEvent* event) {
     setFocus();
 }
 
+namespace {
+
+/// A navigation bar as the palette has it leads to the panels that there are.
+void leadToPanels(Json& fields, const PanelProject& project) {
+    if (!fields.is_object() || Element(fields).kind() != ElementKind::NavigationBar || fields.contains("entries"))
+        return;
+    Json entries = Json::array();
+    for (const NamedPanel& panel : project.panels) {
+        if (!parametersOf(panel.panel).empty()) continue; // of another panel
+        Json entry = Json::object();
+        entry["panel"] = entry["text"] = toUtf8(panel.name);
+        entries.push_back(std::move(entry));
+    }
+    if (entries.size() > 1) fields["entries"] = std::move(entries);
+}
+
+} // namespace
+
 void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     const PanelLookup panels = m_context.project().panelLookup();
     for (const Json& fields : elements) {
@@ -120,6 +139,7 @@ void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     int page = 0;
     const ElementId tab = tabAt(at, &page);
     for (Json& fields : placed) {
+        leadToPanels(fields, m_context.project());
         if (!fields.is_object() || tab.isEmpty() || fields.contains("parent")) continue;
         Element element{fields};
         element.set("parent"_field, toUtf8(tab));

@@ -1,11 +1,14 @@
 #include "hmi/designer/editors/text_editor.h"
 
+#include "editor/kit/bar_menu.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/context/arrange.h"
 #include "hmi/designer/editors/edit_bar.h"
+#include "hmi/designer/editors/language_choice.h"
+#include "hmi/texts/language.h"
 #include "projects/storage/project_file.h"
 
 #include <QAction>
@@ -13,11 +16,14 @@
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QInputDialog>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QTableView>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace plc::hmi {
@@ -186,28 +192,32 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
         if (!key.isEmpty()) addKey(key);
     });
     bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected keys"), this, &TextEditor::removeSelected);
-    bar->addAction(kit::icon(kit::Icon::Language), tr("Add a language"), this, [this] {
-        const QString tag =
-            QInputDialog::getText(this, tr("Add a language"), tr("Language tag, for example de or zh-CN"));
+    QAction* language = bar->addAction(kit::icon(kit::Icon::Language), tr("Add a language"), this, [this] {
+        const QString tag = askForLanguage(m_model->table().tags(), this);
         if (!tag.isEmpty()) addLanguage(tag);
     });
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(language)))
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addSeparator();
-    bar->addAction(kit::icon(kit::Icon::Import), tr("Import CSV"), this, [this] {
+    // What the table is exchanged with is told by words: the pictures are the same.
+    QMenu* imports = kit::addBarMenu(*bar, kit::icon(kit::Icon::Import), tr("Import"));
+    QMenu* exports = kit::addBarMenu(*bar, kit::icon(kit::Icon::Export), tr("Export"));
+    imports->addAction(tr("Import CSV"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Import CSV"), {}, tr("Text tables (*.csv *.txt)"));
         if (!path.isEmpty()) importCsv(path);
     });
-    bar->addAction(kit::icon(kit::Icon::Export), tr("Export CSV"), this, [this] {
+    exports->addAction(tr("Export CSV"), this, [this] {
         const QString path = QFileDialog::getSaveFileName(this, tr("Export CSV"), QStringLiteral("texts.csv"),
                                                           tr("Text tables (*.csv)"));
         if (!path.isEmpty()) exportCsv(path);
     });
-    bar->addAction(kit::icon(kit::Icon::Import), tr("Import XLIFF"), this, [this] {
+    imports->addAction(tr("Import XLIFF"), this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Import XLIFF"), {}, tr("Translations (*.xlf *.xliff)"));
         if (path.isEmpty()) return;
         if (const auto report = importXliff(path)) showReport(*report);
     });
-    bar->addAction(kit::icon(kit::Icon::Export), tr("Export XLIFF"), this, &TextEditor::askForXliff);
+    exports->addAction(tr("Export XLIFF"), this, &TextEditor::askForXliff);
     bar->addSeparator();
     bar->addWidget(m_search);
     bar->addWidget(m_incomplete);
@@ -216,6 +226,10 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     layout->addWidget(bar);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_users);
+    setFocusProxy(m_view); // not the search: Ctrl+Z is meant for the table
+    m_search->installEventFilter(this);
+    m_view->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view->horizontalHeader(), &QWidget::customContextMenuRequested, this, &TextEditor::showHeaderMenu);
     const auto filter = [this] { setFilter(m_search->text(), m_incomplete->isChecked()); };
     connect(m_search, &QLineEdit::textChanged, this, filter);
     connect(m_incomplete, &QCheckBox::toggled, this, filter);
@@ -255,6 +269,31 @@ void TextEditor::removeSelected() {
 
 void TextEditor::addLanguage(const QString& tag) {
     m_model->edit(tr("Add language"), [&](TextTable& table) { table.addLanguage(tag); });
+}
+
+void TextEditor::removeLanguage(const QString& tag) {
+    m_model->edit(tr("Remove language"), [&](TextTable& table) { table.removeLanguage(tag); });
+}
+
+void TextEditor::showHeaderMenu(QPoint at) {
+    const int column = m_view->horizontalHeader()->logicalIndexAt(at) - TextModel::FirstLanguage;
+    const QStringList tags = m_model->table().tags();
+    if (column < 0 || column >= tags.size() || tags.size() < 2) return; // one language is left
+    QMenu menu(this);
+    menu.addAction(kit::icon(kit::Icon::Remove), tr("Remove %1").arg(nativeName(tags[column])), this,
+                   [this, tag = tags[column]] { removeLanguage(tag); });
+    menu.exec(m_view->horizontalHeader()->viewport()->mapToGlobal(at));
+}
+
+/// Undo in the search line is the line's own only as long as something was typed there.
+bool TextEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride || watched != m_search) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool isOwn = key->matches(QKeySequence::Undo)   ? m_search->isUndoAvailable()
+                       : key->matches(QKeySequence::Redo) ? m_search->isRedoAvailable()
+                                                          : true;
+    if (!isOwn) event->ignore();
+    return !isOwn;
 }
 
 void TextEditor::importCsv(const QString& path) {

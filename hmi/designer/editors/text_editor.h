@@ -50,6 +50,7 @@ public:
     void addKey(const QString& key);
     void removeSelected();
     void addLanguage(const QString& tag);
+    void removeLanguage(const QString& tag);
     void importCsv(const QString& path);
     void exportCsv(const QString& path) const;
     /// For translators' tools: from one language into another; taken back with a report of what does not fit.
@@ -59,6 +60,8 @@ public:
 
 private:
     void showUsers();
+    void showHeaderMenu(QPoint at);
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void askForXliff();
     void showReport(const XliffReport& report);
     DesignContext& m_context;

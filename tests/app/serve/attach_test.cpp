@@ -9,6 +9,7 @@
 #include "tests/hmi/running.h"
 
 #include <QFile>
+#include <QTcpServer>
 #include <QWebSocket>
 #include <array>
 #include <csignal>
@@ -308,6 +309,27 @@ TEST(Attach, ByTlsOnlyWithACertificateThatIsTrusted) {
     address.url.setScheme("http");
     EXPECT_FALSE(isAttached(plain, address)) << "nothing is said without TLS";
     EXPECT_EQ(plant.server->figures().refusedLogIns, 0u) << "the code was not even heard";
+    const std::string port = std::to_string(address.url.port());
+    EXPECT_EQ(plain.problem().english(),
+              "127.0.0.1 speaks TLS on this port; use the address https://127.0.0.1:" + port + "/");
+}
+
+TEST(Attach, WhereNobodySpeaksTlsIsSaidToo) {
+    const Plant plant;
+    RemoteController secure;
+    RemoteController::Address address = plant.address();
+    address.url.setScheme("https");
+    EXPECT_FALSE(isAttached(secure, address));
+    const std::string why = secure.problem().english();
+    EXPECT_TRUE(why.starts_with("127.0.0.1 cannot be reached by TLS: ")) << why;
+    EXPECT_NE(why.find("--certificate"), std::string::npos) << why;
+    RemoteController nobody; // nor anybody at all: the probe changes nothing about that
+    QTcpServer free;
+    ASSERT_TRUE(free.listen(QHostAddress::LocalHost));
+    address.url = QUrl(QStringLiteral("http://127.0.0.1:%1/").arg(free.serverPort()));
+    free.close();
+    EXPECT_FALSE(isAttached(nobody, address));
+    EXPECT_TRUE(nobody.problem().english().starts_with("127.0.0.1 cannot be reached: ")) << nobody.problem().english();
 }
 
 TEST(Attach, ACertificateServesWithItsOwnKeyOnly) {

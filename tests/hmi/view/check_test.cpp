@@ -88,6 +88,12 @@ TEST(PanelCheck, AsksTheFrontEndForEveryBindingWithTheTypeItNeeds) {
     EXPECT_EQ(found[0].property.toStdString(), "value");
     EXPECT_EQ(found[0].text().toStdString(),
               "hmi/main.panel.json: a.value: error H1012: there is no variable 'Mian'; did you mean 'Main'?");
+    Finding ofFile = found[0];
+    ofFile.element.clear();
+    ofFile.property.clear();
+    ofFile.line = 3;
+    EXPECT_EQ(ofFile.text().toStdString(),
+              "hmi/main.panel.json:3: error H1012: there is no variable 'Mian'; did you mean 'Main'?");
     EXPECT_EQ(asked.join(u' ').toStdString(),
               "Main.s = Step#Fill:bool Main.fault:bool Mian.on:bool Main.r[1].v:any! Main.times[1] + T#10s:any!");
 }

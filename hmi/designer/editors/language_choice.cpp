@@ -1,0 +1,86 @@
+#include "hmi/designer/editors/language_choice.h"
+
+#include "hmi/texts/language.h"
+
+#include <QCoreApplication>
+#include <QInputDialog>
+#include <QLocale>
+#include <QMap>
+#include <QMessageBox>
+#include <QRegularExpression>
+
+namespace plc::hmi {
+
+namespace {
+
+/// Tag → its English name, folded.
+const QMap<QString, QString>& knownLanguages() {
+    static const QMap<QString, QString> known = [] {
+        QMap<QString, QString> all;
+        for (const QLocale& each :
+             QLocale::matchingLocales(QLocale::AnyLanguage, QLocale::AnyScript, QLocale::AnyTerritory))
+            if (each.language() != QLocale::C)
+                all.insert(QLocale::languageToCode(each.language()),
+                           QLocale::languageToString(each.language()).toCaseFolded());
+        for (const char* variety : {"en-GB", "en-US", "fr-CA", "pt-BR", "zh-CN", "zh-TW"})
+            all.insert(QString::fromLatin1(variety), {});
+        return all;
+    }();
+    return known;
+}
+
+} // namespace
+
+QStringList languagesToChoose() {
+    QStringList out;
+    for (const QString& tag : knownLanguages().keys()) out << QStringLiteral("%1 (%2)").arg(nativeName(tag), tag);
+    std::sort(out.begin(), out.end(),
+              [](const QString& a, const QString& b) { return QString::localeAwareCompare(a, b) < 0; });
+    return out;
+}
+
+QString languageTagOf(const QString& typed) {
+    QString text = typed.trimmed();
+    static const QRegularExpression inBrackets(QStringLiteral("\\(([^()]+)\\)$"));
+    if (const auto match = inBrackets.match(text); match.hasMatch()) text = match.captured(1);
+    const QString folded = text.toCaseFolded();
+    for (auto it = knownLanguages().begin(); it != knownLanguages().end(); ++it)
+        if (folded == it.value() || folded == nativeName(it.key()).toCaseFolded()) return it.key();
+    static const QRegularExpression tag(QStringLiteral("^([A-Za-z]{2,3})((-[A-Za-z0-9]{2,8})*)$"));
+    const auto match = tag.match(text);
+    if (!match.hasMatch() || !knownLanguages().contains(match.captured(1).toLower())) return {};
+    return match.captured(1).toLower() + match.captured(2);
+}
+
+namespace {
+
+QString whyNot(const QString& typed, const QString& tag) {
+    if (tag.isEmpty())
+        return QCoreApplication::translate(
+                   "plc::hmi::TextEditor",
+                   "%1 is no language; choose one from the list, or enter a tag such as de or zh-CN")
+            .arg(typed);
+    return QCoreApplication::translate("plc::hmi::TextEditor", "The table has %1 already; choose another language")
+        .arg(typed);
+}
+
+} // namespace
+
+QString askForLanguage(const QStringList& taken, QWidget* parent) {
+    const QString title = QCoreApplication::translate("plc::hmi::TextEditor", "Add a language");
+    const QString label = QCoreApplication::translate("plc::hmi::TextEditor", "Language tag, for example de or zh-CN");
+    const QStringList all = languagesToChoose();
+    QString typed = QStringLiteral("Deutsch (de)");
+    for (;;) {
+        const QStringList offered = all.contains(typed) ? all : QStringList{typed} + all; // to be corrected
+        bool isAccepted = false;
+        typed = QInputDialog::getItem(parent, title, label, offered, static_cast<int>(offered.indexOf(typed)), true,
+                                      &isAccepted);
+        if (!isAccepted || typed.trimmed().isEmpty()) return {};
+        const QString tag = languageTagOf(typed);
+        if (!tag.isEmpty() && !taken.contains(tag)) return tag;
+        QMessageBox::warning(parent, title, whyNot(typed, tag));
+    }
+}
+
+} // namespace plc::hmi
