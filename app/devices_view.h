@@ -3,7 +3,7 @@
 // dock; GUI thread.
 #pragma once
 #include "app/problems_view.h"
-#include "projects/devices/device_file.h"
+#include "projects/devices/configuration/device_file.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -7,7 +7,7 @@
 #include "app/project_tree.h"
 #include "app/rename_dialog.h"
 #include "app/search_view.h"
-#include "editor/graph/chart_unit.h"
+#include "editor/graph/chart/chart_unit.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "hmi/designer/panel_designer.h"

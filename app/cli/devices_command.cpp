@@ -4,7 +4,7 @@
 #include "app/cli/device_output.h"
 #include "app/cli/errors.h"
 
-#include "projects/devices/proposal.h"
+#include "projects/devices/configuration/proposal.h"
 
 #include <iostream>
 

@@ -1,8 +1,8 @@
 // What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
 #include "hmi/designer/design_canvas.h"
 
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/variable_picker.h"
 #include "hmi/designer/applicable.h"
 #include "hmi/designer/arrange.h"
 #include "hmi/designer/palette.h"

@@ -1,7 +1,7 @@
 // Between the properties of panels and the studio's property grid: descriptors and values, both ways. Also used for the
 // rows of records. Pure functions over the context; main thread.
 #pragma once
-#include "editor/kit/property_grid.h"
+#include "editor/kit/inputs/property_grid.h"
 #include "hmi/designer/design_context.h"
 
 namespace plc::hmi {

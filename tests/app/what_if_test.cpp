@@ -4,7 +4,7 @@
 #include "app/live_views.h"
 #include "app/test_view.h"
 #include "app/what_if_dialog.h"
-#include "editor/graph/chart_view.h"
+#include "editor/graph/chart/chart_view.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
 

@@ -8,7 +8,7 @@
 #include "hmi/designer/records_dialog.h"
 #include "hmi/designer/text_editor.h"
 
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "tests/support/settle.h"
 
 #include <QAction>
