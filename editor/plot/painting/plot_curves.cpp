@@ -53,8 +53,11 @@ public:
         const bool hold = m_curve.style != CurveStyle::Line;
         const SignalSample* before = nullptr;
         for (const SignalSample& s : m_shape.samples) {
+            // A gap is a fact of the recording: samples that are far apart belong together unless one lies between
+            // them, since a value that does not change may be recorded rarely.
             const bool broken = std::isnan(s.value) || (before && isBroken(m_shape.gaps, before->time, s.time));
             if (broken && !line.isEmpty()) {
+                // A held value was known up to where the gap begins, so its line goes on until there.
                 if (hold && before) {
                     const int64_t end = gapStart(m_shape.gaps, before->time, s.time).value_or(s.time);
                     line << QPointF(m_mapping.xOf(end), line.back().y());
@@ -81,6 +84,8 @@ private:
     const PlotMapping& m_mapping;
 };
 
+// Painters of PDF and SVG lose precision or drop the line when a zoomed curve reaches millions of pixels beyond the
+// paper.
 /// The same line with everything far outside the area cut off, so that no painter meets coordinates of millions.
 QPolygonF clipped(const QPolygonF& line, const QRectF& area) {
     const QRectF room = area.adjusted(-64, -64, 64, 64);
@@ -149,6 +154,8 @@ template <class Use> void walkBuckets(const CurveShape& shape, Use&& use) {
     for (int c = 0; c < shape.columns; ++c) {
         broken = broken || breaks[static_cast<size_t>(c)];
         const SignalBucket& bucket = shape.buckets[static_cast<size_t>(c)];
+        // An empty bucket joins its neighbours (there was no sample in so short a time); one with nothing but NaN does
+        // not.
         if (bucket.count > 0 && !bucket.isNumber) broken = true;
         if (!bucket.isNumber) continue;
         use(c, bucket, !broken);
@@ -173,6 +180,7 @@ void addBuckets(std::vector<ColumnSpan>& spans, const CurveShape& shape, const P
                     spans[static_cast<size_t>(previous + k)].add(
                         previousY + (firstY - previousY) * static_cast<float>(k) / static_cast<float>(steps));
                 const float middle = (previousY + firstY) / 2;
+                // Both columns get the middle of the jump, or the line would have a hole at each steep edge.
                 if (previous >= 0 && steps == 1) spans[static_cast<size_t>(previous)].add(middle);
                 span.add(steps == 1 ? middle : firstY);
             } else {
@@ -186,6 +194,7 @@ void addBuckets(std::vector<ColumnSpan>& spans, const CurveShape& shape, const P
         previousY = y(std::isnan(bucket.last) ? bucket.maximum : bucket.last);
         hasPrevious = true;
     });
+    // A held value reaches the right edge only when a later sample shows that it went on.
     if (previous >= 0 && shape.after && previous < shape.columns - 1 && curve.style != CurveStyle::Line)
         for (int k = previous + 1; k < shape.columns; ++k) spans[static_cast<size_t>(k)].add(previousY);
 }
@@ -213,6 +222,7 @@ void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMa
 
 void drawDots(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
               const QColor& color) {
+    // Dots say "here is a sample"; closer together they would only make the line thicker.
     if (shape.samples.size() < 1 || mapping.area.width() / static_cast<double>(shape.samples.size()) < 14) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
@@ -232,6 +242,7 @@ bool isDrawnByPainter(const CurveShape& shape, const PlotPixels& pixels) {
 std::optional<PlotRange> CurveShape::extent() const {
     std::optional<PlotRange> range;
     auto add = [&](double low, double high) {
+        // An axis cannot reach infinity: one such sample would hide all others.
         if (std::isnan(low) || std::isnan(high) || std::isinf(low) || std::isinf(high)) return;
         if (!range) range = PlotRange{low, high};
         range->low = std::min(range->low, low);
@@ -250,6 +261,7 @@ CurveShape shapeOf(const SampleSource& source, int64_t from, int64_t to, int col
     shape.from = from;
     shape.to = std::max(to, from + 1);
     shape.columns = std::max(1, columns);
+    // `shift` moves another recording under this one; it is asked in its own time.
     const int64_t a = shape.from - shift, b = shape.to - shift;
     shape.gaps = source.gaps(a, b);
     for (SignalGap& gap : shape.gaps) gap.from += shift, gap.to += shift;
@@ -258,6 +270,7 @@ CurveShape shapeOf(const SampleSource& source, int64_t from, int64_t to, int col
     if (shape.before) shape.before->time += shift;
     if (shape.after) shape.after->time += shift;
     const uint64_t count = source.countIn(a, b);
+    // Up to two samples a column a pyramid would save nothing, and exact samples keep their slopes when zoomed.
     shape.isExact = count <= 2 * static_cast<uint64_t>(shape.columns);
     if (!shape.isExact) {
         shape.buckets.resize(static_cast<size_t>(shape.columns));

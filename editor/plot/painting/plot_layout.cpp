@@ -30,6 +30,7 @@ void PlotRenderer::makePanes(const PlotModel& model) {
             if (curve.style != CurveStyle::Digital) anyAnalogue = true;
             if (curve.isVisible) (curve.style == CurveStyle::Digital ? lanes : curves).curves.push_back(i);
         }
+        // A chart whose curves are all switched off keeps its pane, or the plot would jump at every click on a legend.
         if (anyAnalogue || lanes.curves.empty()) panes.push_back(std::move(curves));
         if (!lanes.curves.empty()) panes.push_back(std::move(lanes));
     }
@@ -73,6 +74,8 @@ PlotRange PlotRenderer::rangeOf(const PlotModel& model, const PlotPane& pane, in
         const PlotCurve& curve = model.curves[static_cast<size_t>(pane.curves[i])];
         if (curve.axis != axisIndex) continue;
         for (const PaneParts::Kept& kept : m_parts[paneIndex]->kept[i]) {
+            // Fit follows what is in view; the other mode keeps still while one scrolls, so it asks for the whole
+            // recording.
             const auto raw = axis.mode == AxisMode::Fit ? kept.shape.extent() : PaneParts::wholeExtent(kept);
             if (!raw) continue;
             onlyBool = onlyBool && curve.source && curve.source->valueKind() == PlotValueKind::Bool;
@@ -85,11 +88,13 @@ PlotRange PlotRenderer::rangeOf(const PlotModel& model, const PlotPane& pane, in
     if (!range) return {0, 1};
     if (axis.mode == AxisMode::Fit) {
         const double size = std::max(std::abs(range->low), std::abs(range->high));
+        // A flat line in the middle of some room and not on the frame; of noise in the last digits no mountain is made.
         const double room = range->high - range->low > size * 1e-9 ? (range->high - range->low) * 0.04
                             : size > 0                             ? size * 0.05
                                                                    : 1;
         return {range->low - room, range->high + room};
     }
+    // So that both levels are seen beside the frame.
     if (onlyBool) return {-0.1, 1.1};
     roundLimits(range->low, range->high, 6);
     return *range;
@@ -139,6 +144,7 @@ std::vector<AxisSpec> PlotRenderer::valueAxes(const PlotModel& model, PlotPane& 
         QString unit = axis.unit, title = axis.title;
         if (unit.isEmpty() && !users.empty()) {
             unit = users[0]->unit;
+            // Curves of different units share an axis only by its numbers.
             for (const PlotCurve* user : users)
                 if (user->unit != unit) unit.clear();
         }

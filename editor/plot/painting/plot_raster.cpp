@@ -10,10 +10,12 @@ namespace {
 /// source over destination, both premultiplied, source scaled by alpha/255.
 uint32_t blend(uint32_t source, uint32_t destination, uint32_t alpha) {
     auto scaled = [](uint32_t pixel, uint32_t by) {
+        // Two channels in one multiplication: they are 16 bits apart, so that products do not meet.
         const uint32_t low = ((pixel & 0xff00ff) * by + 0x800080) >> 8 & 0xff00ff;
         const uint32_t high = ((pixel >> 8 & 0xff00ff) * by + 0x800080) & 0xff00ff00;
         return low | high;
     };
+    // 255 stands for the whole: x + (x >> 7) maps it to 256, which a shift divides by.
     const uint32_t top = scaled(source, alpha + (alpha >> 7));
     return top + scaled(destination, 256 - ((top >> 24) + (top >> 31)));
 }
