@@ -30,7 +30,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/mnemonics.h"
 #include "editor/kit/work_strip.h"
-#include "editor/plot/plot_scale.h"
+#include "editor/plot/model/plot_scale.h"
 #include "editor/tuning/tuning_view.h"
 #include "editor/workspace/path_completion.h"
 

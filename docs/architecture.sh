@@ -34,7 +34,7 @@ flow() { # colour module…   one arrow from each to the next
     done
     { echo 'digraph uses {'; arrows; echo '}'; } | tred | grep -e '->'
     flow '#c2571a' editor/text editor/workspace projects/analysis runtime/compiler/driver runtime/compiler/sema runtime/compiler/parse runtime/compiler/lex
-    flow '#1a73c2' runtime/controller runtime/history projects/session editor/trace
+    flow '#1a73c2' runtime/controller runtime/history projects/session editor/trace/recording editor/trace/curves editor/plot/painting
     flow '#2a8a4a' hmi/view/scene hmi/player hmi/station projects/session runtime/controller
     echo '}'
 } | dot -Tsvg >docs/pictures/architecture.svg

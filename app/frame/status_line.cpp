@@ -6,7 +6,7 @@
 #include "editor/kit/occurrence_text.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/work_strip.h"
-#include "editor/plot/plot_scale.h"
+#include "editor/plot/model/plot_scale.h"
 
 #include <QCoreApplication>
 #include <QLabel>

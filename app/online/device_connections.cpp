@@ -1,6 +1,6 @@
 #include "app/online/device_connections.h"
 
-#include "projects/devices/errors.h"
+#include "projects/devices/configuration/errors.h"
 
 namespace plc::app {
 

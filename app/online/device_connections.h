@@ -3,7 +3,7 @@
 #pragma once
 #include "editor/debug/run_control.h"
 #include "editor/workspace/workspace.h"
-#include "projects/devices/device_check.h"
+#include "projects/devices/configuration/device_check.h"
 #include "projects/devices/engine.h"
 
 #include <QObject>

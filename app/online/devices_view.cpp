@@ -7,7 +7,7 @@
 #include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
-#include "projects/devices/proposal.h"
+#include "projects/devices/configuration/proposal.h"
 #include "projects/storage/project_file.h"
 
 #include <QAction>
@@ -72,7 +72,7 @@ QStringList choicesOf(const QString& field) {
 #define PLC_ON_LOSS(Name, Spelling) add("onLoss", Spelling);
 #define PLC_PARITY(Name, Spelling) add("parity", Spelling);
 #define PLC_DIRECTION(Name, Spelling) add("direction", Spelling);
-#include "projects/devices/words.def"
+#include "projects/devices/configuration/words.def"
     return words;
 }
 

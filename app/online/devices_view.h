@@ -4,6 +4,7 @@
 #pragma once
 #include "app/project/problems_view.h"
 #include "projects/devices/device_file.h"
+#include "projects/devices/configuration/device_file.h"
 
 #include <QTimer>
 #include <QWidget>

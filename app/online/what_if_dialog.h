@@ -2,7 +2,7 @@
 // from there. Made by the main window for one question; modal; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
-#include "editor/kit/expression_edit.h"
+#include "editor/kit/inputs/expression_edit.h"
 
 #include <QDialog>
 

@@ -1,8 +1,8 @@
 // One ST file in a tab: editor, second view when split, find bar, table of declarations, chart, and what is to be known
 // about the file. A library's source is such a page, read-only. Owned by the tabs; GUI thread.
 #pragma once
-#include "editor/graph/chart_view.h"
-#include "editor/graph/ladder_view.h"
+#include "editor/graph/chart/chart_view.h"
+#include "editor/graph/ladder/ladder_view.h"
 #include "editor/text/declaration_table.h"
 #include "editor/text/find_bar.h"
 #include "editor/text/st_editor.h"

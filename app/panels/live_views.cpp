@@ -1,7 +1,7 @@
 #include "app/panels/live_views.h"
 
-#include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/expression_edit.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/workspace/path_completion.h"

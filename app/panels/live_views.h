@@ -2,9 +2,9 @@
 // them. Puts them in step with the controller and with each other. Owned by the main window; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
-#include "editor/trace/branch_recording.h"
-#include "editor/trace/program_variables.h"
-#include "editor/trace/run_recording.h"
+#include "editor/trace/recording/branch_recording.h"
+#include "editor/trace/recording/run_recording.h"
+#include "editor/trace/setup/program_variables.h"
 #include "editor/trace/time_slider.h"
 #include "editor/trace/trace_view.h"
 #include "hmi/designer/context/design_context.h"

@@ -2,8 +2,8 @@
 
 #include "app/settings/settings.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
 #include "runtime/base/text.h"
 
 #include <QFileInfo>

@@ -5,8 +5,8 @@
 #include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_scale.h"
-#include "editor/trace/trace_plot.h"
+#include "editor/plot/model/plot_scale.h"
+#include "editor/trace/curves/trace_plot.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,11 +1,11 @@
 #include "editor/debug/watch_view.h"
 
 #include "editor/debug/watch_rows.h"
-#include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/expression_edit.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
 #include "editor/workspace/path_completion.h"
 
 #include <QAction>

@@ -4,7 +4,7 @@
 #pragma once
 #include "editor/graph/coverage_mark.h"
 #include "editor/kit/canvas.h"
-#include "editor/kit/expression_edit.h"
+#include "editor/kit/inputs/expression_edit.h"
 #include "projects/analysis/code_model.h"
 #include "runtime/diagnostics/text_edits.h"
 

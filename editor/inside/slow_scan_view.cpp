@@ -4,7 +4,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_scale.h"
+#include "editor/plot/model/plot_scale.h"
 #include "runtime/debug/sites.h"
 #include "runtime/inside/texts.h"
 

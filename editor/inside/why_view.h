@@ -3,7 +3,7 @@
 #pragma once
 #include "editor/inside/inside_desk.h"
 #include "editor/kit/ask_why.h"
-#include "editor/kit/expression_edit.h"
+#include "editor/kit/inputs/expression_edit.h"
 #include "runtime/inside/words.h"
 
 #include <QWidget>

@@ -2,8 +2,8 @@
 
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_scale.h"
-#include "editor/plot/ruler_mark.h"
+#include "editor/plot/model/plot_scale.h"
+#include "editor/plot/painting/ruler_mark.h"
 
 #include <QApplication>
 #include <QPainter>

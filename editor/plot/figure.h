@@ -2,8 +2,8 @@
 // runs laid over each other. From values to ink, for screen, PNG, SVG and PDF alike. Functions and values; GUI thread.
 #pragma once
 
+#include "editor/plot/model/plot_model.h"
 #include "editor/plot/plot_export.h"
-#include "editor/plot/plot_model.h"
 #include "projects/waveform/chart.h"
 
 #include <QFont>

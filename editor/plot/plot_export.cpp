@@ -3,8 +3,8 @@
 #include "editor/kit/curve_words.h"
 #include "editor/kit/errors.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_renderer.h"
-#include "editor/plot/plot_text.h"
+#include "editor/plot/painting/plot_renderer.h"
+#include "editor/plot/painting/plot_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -150,9 +150,9 @@ bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, 
         if (progress && !progress(static_cast<double>(w) / static_cast<double>(windows))) return false;
         const int64_t begin = w == 0 ? from : from + static_cast<int64_t>(width * static_cast<double>(w));
         const int64_t end = w + 1 == windows ? to + 1 : from + static_cast<int64_t>(width * static_cast<double>(w + 1));
-        std::vector<std::vector<PlotSample>> samples(curves.size());
+        std::vector<std::vector<SignalSample>> samples(curves.size());
         for (size_t i = 0; i < curves.size(); ++i)
-            curves[i]->source->visit(begin, end, [&](std::span<const PlotSample> block) {
+            curves[i]->source->visit(begin, end, [&](std::span<const SignalSample> block) {
                 samples[i].insert(samples[i].end(), block.begin(), block.end());
             });
         std::vector<size_t> at(curves.size(), 0);

@@ -1,7 +1,7 @@
 // A plot as a file: picture (PNG, SVG, PDF) or table (CSV). Needs no window: the command line uses it too. GUI thread.
 #pragma once
 
-#include "editor/plot/plot_model.h"
+#include "editor/plot/model/plot_model.h"
 #include "runtime/base/result.h"
 
 #include <QImage>

@@ -1,9 +1,9 @@
 #include "editor/plot/plot_view.h"
 
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
+#include "editor/plot/model/plot_scale.h"
 #include "editor/plot/plot_export.h"
-#include "editor/plot/plot_scale.h"
 
 #include <QContextMenuEvent>
 #include <QDragEnterEvent>

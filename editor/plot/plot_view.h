@@ -3,7 +3,7 @@
 // owner. GUI thread.
 #pragma once
 
-#include "editor/plot/plot_renderer.h"
+#include "editor/plot/painting/plot_renderer.h"
 
 #include <QImage>
 #include <QWidget>

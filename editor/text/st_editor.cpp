@@ -1,10 +1,10 @@
 #include "editor/text/st_editor.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
 #include "editor/text/line_ground.h"
 #include "editor/text/st_marks.h"
 #include "runtime/base/text.h"

@@ -1,10 +1,10 @@
 #include "editor/trace/channel_panel.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/property_grid.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/post.h"
-#include "editor/kit/property_grid.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
 
 #include <QDropEvent>
 #include <QHeaderView>

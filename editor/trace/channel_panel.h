@@ -2,8 +2,8 @@
 // nothing itself: it asks for a changed set-up. Owned by the trace view; GUI thread.
 #pragma once
 
-#include "editor/kit/expression_edit.h"
-#include "editor/trace/trace_plot.h"
+#include "editor/kit/inputs/expression_edit.h"
+#include "editor/trace/curves/trace_plot.h"
 
 #include <QWidget>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/plot/figure_view.h"
-#include "editor/trace/trace_figure.h"
+#include "editor/trace/curves/trace_figure.h"
 
 #include <functional>
 #include <thread>

@@ -2,9 +2,9 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_model.h"
-#include "editor/plot/plot_scale.h"
-#include "editor/trace/trace_plot.h"
+#include "editor/plot/model/plot_model.h"
+#include "editor/plot/model/plot_scale.h"
+#include "editor/trace/curves/trace_plot.h"
 
 #include <QHBoxLayout>
 #include <QHelpEvent>

@@ -3,8 +3,8 @@
 // the owner tells the other windows. GUI thread.
 #pragma once
 
-#include "editor/kit/expression_edit.h"
-#include "editor/trace/recording.h"
+#include "editor/kit/inputs/expression_edit.h"
+#include "editor/trace/recording/recording.h"
 
 #include <QTimer>
 #include <QWidget>

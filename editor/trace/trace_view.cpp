@@ -4,11 +4,11 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/painting/plot_table.h"
 #include "editor/plot/plot_export.h"
-#include "editor/plot/plot_table.h"
 #include "editor/trace/channel_panel.h"
 #include "editor/trace/figure_pane.h"
-#include "editor/trace/run_recording.h"
+#include "editor/trace/recording/run_recording.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -279,8 +279,8 @@ void TraceView::runTrigger() {
     if (!range) return;
     if (range->second < m_triggerRead) m_triggerRead = range->second; // went back
     source->visit(m_triggerRead == INT64_MIN ? INT64_MIN : m_triggerRead + 1, INT64_MAX,
-                  [&](std::span<const plot::PlotSample> block) {
-                      for (const plot::PlotSample& s : block)
+                  [&](std::span<const SignalSample> block) {
+                      for (const SignalSample& s : block)
                           m_trigger.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
                   });
     m_triggerRead = range->second;

@@ -4,10 +4,10 @@
 
 #include "editor/kit/ask_why.h"
 #include "editor/plot/plot_view.h"
-#include "editor/trace/other_recordings.h"
-#include "editor/trace/program_variables.h"
-#include "editor/trace/trace_plot.h"
-#include "editor/trace/trigger.h"
+#include "editor/trace/curves/other_recordings.h"
+#include "editor/trace/curves/trace_plot.h"
+#include "editor/trace/setup/program_variables.h"
+#include "editor/trace/setup/trigger.h"
 
 #include <QTimer>
 #include <QUndoStack>

@@ -9,7 +9,7 @@
 #include "editor/plot/plot_export.h"
 #include "editor/trace/channel_panel.h"
 #include "editor/trace/figure_pane.h"
-#include "editor/trace/run_recording.h"
+#include "editor/trace/recording/run_recording.h"
 #include "editor/trace/trace_view.h"
 
 #include <QAction>

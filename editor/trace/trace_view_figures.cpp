@@ -2,7 +2,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/trace/figure_pane.h"
-#include "editor/trace/run_recording.h"
+#include "editor/trace/recording/run_recording.h"
 #include "editor/trace/trace_view.h"
 
 #include <QFileDialog>

@@ -3,7 +3,7 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/trace/run_recording.h"
+#include "editor/trace/recording/run_recording.h"
 #include "editor/trace/trace_view.h"
 #include "runtime/base/messages.h"
 

@@ -3,8 +3,8 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "editor/plot/figure_view.h"
-#include "editor/plot/plot_sample.h"
-#include "editor/plot/plot_scale.h"
+#include "editor/plot/model/plot_sample.h"
+#include "editor/plot/model/plot_scale.h"
 #include "projects/loops/errors.h"
 #include "projects/tuning/bode_plot.h"
 

@@ -5,7 +5,7 @@
 #include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/plot/figure_view.h"
-#include "editor/plot/plot_scale.h"
+#include "editor/plot/model/plot_scale.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

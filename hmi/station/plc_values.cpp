@@ -2,6 +2,7 @@
 #include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace plc::hmi {
@@ -207,16 +208,13 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
                                          range.end, std::max<size_t>(1, share));
         series.insert(series.end(), part.begin(), part.end());
     }
-    const auto secondsOf = [&](history::Position position) {
-        const auto stamp = history.stamp(position);
-        return stamp ? static_cast<double>((stamp->time - now->time).count()) * 1e-9 : 0.0;
-    };
     for (const history::Bucket& bucket : series) {
-        CurvePiece piece{secondsOf(bucket.begin), 0,           bucket.first,    bucket.minimum,
-                         bucket.maximum,          bucket.last, bucket.count > 0};
-        piece.to = piece.from;
-        if (!out.empty()) out.back().to = piece.from;
-        out.push_back(piece);
+        const auto stamp = history.stamp(bucket.begin);
+        const int64_t from = stamp ? (stamp->time - now->time).count() : 0;
+        if (!out.empty()) out.back().to = from;
+        const bool isNumber = bucket.count > 0 && !std::isnan(bucket.minimum);
+        out.push_back(
+            {{bucket.first, bucket.minimum, bucket.maximum, bucket.last, bucket.count, isNumber}, from, from});
     }
     if (!out.empty()) out.back().to = 0;
     return out;

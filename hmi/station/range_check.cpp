@@ -42,7 +42,7 @@ private:
         constexpr double Ever = 1e9; // seconds
         std::optional<Span> out;
         for (const CurvePiece& piece : m_values.curve(binding, Ever, 16)) {
-            if (!piece.hasValue || !std::isfinite(piece.minimum) || !std::isfinite(piece.maximum)) continue;
+            if (!piece.hasValue() || !std::isfinite(piece.minimum) || !std::isfinite(piece.maximum)) continue;
             if (!out) out = Span{piece.minimum, piece.maximum};
             out->least = std::min(out->least, piece.minimum);
             out->greatest = std::max(out->greatest, piece.maximum);

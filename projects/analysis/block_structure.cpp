@@ -70,6 +70,7 @@ std::string upper(std::string_view text) {
     return out;
 }
 
+// By tokens and not by the tree: while a block is being typed its END is missing, and the tree is that of the recovery.
 Scan scanBlocks(std::string_view text, uint32_t upTo) {
     Scan scan;
     diagnostics::Sink sink;
@@ -103,6 +104,7 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
                 if (scan.open[k].opener->close != word) continue;
                 scan.open[k].pair.close = mark;
                 scan.pairs.push_back(scan.open[k].pair);
+                // An END of an outer block ends those inside whose own is missing.
                 scan.unclosed.insert(scan.unclosed.end(), scan.open.begin() + static_cast<std::ptrdiff_t>(k) + 1,
                                      scan.open.end());
                 scan.open.resize(k);

@@ -179,6 +179,7 @@ std::vector<ColouredToken> CodeModel::colours(FileId file) const {
     for (const lex::Token& token : tree.tokens.tokens) {
         ColouredToken coloured{token.begin, token.end, classOf(token)};
         if (token.kind == TokenKind::Identifier) {
+            // Both lists are in order of place: one walk, where a search for each name would be the most of it.
             while (reference != analysis.references.end() && reference->range.file == file &&
                    reference->range.begin < token.begin)
                 ++reference;

@@ -131,6 +131,7 @@ const Symbol* CodeModel::findVisible(std::string_view name, const std::string& p
             bestRank = rank;
         }
     }
+    // Rank 9 is a variable of some other unit: not visible here, and its type would complete the wrong members.
     return bestRank < 9 ? best : nullptr;
 }
 
@@ -190,6 +191,7 @@ void CodeModel::addMembers(types::TypeId type, std::vector<CompletionItem>& item
                                  itemKindOf(symbol.kind), 1});
         }
     }
+    // word.3 is a bit; last in the list, since after a point a name is meant nearly always.
     const unsigned bits = types::isInteger(types.family(type)) ? types::bitsOf(types.storageKind(type)) : 0;
     for (unsigned bit = 0; bit < bits && bits <= 64; ++bit)
         items.push_back({std::to_string(bit), "BOOL", "", ItemKind::Variable, 9});
@@ -282,6 +284,7 @@ void filterAndSort(std::vector<CompletionItem>& items, std::string_view typed) {
         item.rank += q;
         kept.push_back(std::move(item));
     }
+    // Stable: of equal rank and letters what is declared nearer was added first, and stays when doubles leave.
     std::stable_sort(kept.begin(), kept.end(), [](const CompletionItem& a, const CompletionItem& b) {
         return a.rank != b.rank ? a.rank < b.rank : foldCase(a.text) < foldCase(b.text);
     });
@@ -299,6 +302,7 @@ Completion CodeModel::complete(FileId file, std::string_view text, uint32_t offs
     while (out.replaceBegin > 0 && isWordByte(text[out.replaceBegin - 1])) --out.replaceBegin;
     if (isInsideText(text, offset)) return out;
     const std::string_view typed = text.substr(out.replaceBegin, offset - out.replaceBegin);
+    // A number is being typed, and a list that opens would take the Enter behind it.
     if (!typed.empty() && std::isdigit(static_cast<unsigned char>(typed[0])) &&
         (out.replaceBegin == 0 || text[out.replaceBegin - 1] != '.'))
         return out;

@@ -208,6 +208,8 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
             indent + (to == TextLanguage::Il ? "{language 'IL'}" : "{language 'ST'}") + lineEnd + out.edits.back().text;
         apply();
     }
+    // The proof is a check of the whole project: what is no worse than before is offered, everything else is refused
+    // with the first error as the reason.
     driver::BuildInput after = input;
     after.files[index].text = out.text;
     const size_t errorsBefore = errorsOf(driver::check(input));

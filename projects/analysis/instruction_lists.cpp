@@ -62,6 +62,7 @@ std::vector<AccumulatorPlace> accumulatorPlaces(const syntax::SyntaxFile& file) 
     listsOf(file.declarations, [&](const Block& list) {
         eachInstruction(list, [&](const syntax::Stmt& stmt) {
             if (!stmt.il->result || !stmt.il->op.isValid()) return;
+            // Of "AND( … )" the result is there when the parenthesis closes.
             const uint32_t at = stmt.il->opensParenthesis && stmt.range.end > stmt.range.begin
                                     ? stmt.range.end - 1
                                     : stmt.il->op.range.begin;

@@ -1,6 +1,6 @@
 #include "projects/devices/engine.h"
 
-#include "projects/devices/errors.h"
+#include "projects/devices/configuration/errors.h"
 
 #include <cstring>
 

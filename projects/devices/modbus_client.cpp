@@ -1,9 +1,9 @@
 // Modbus TCP to one device, or RTU to the units of a serial line: writes the outputs that changed, reads each block at
 // its poll rate, gives up on what does not answer and tries again with growing pauses.
-#include "projects/devices/errors.h"
+#include "projects/devices/configuration/errors.h"
+#include "projects/devices/configuration/wire.h"
 #include "projects/devices/link.h"
 #include "projects/devices/modbus.h"
-#include "projects/devices/wire.h"
 
 #include <cerrno>
 

@@ -1,6 +1,6 @@
 #include "projects/devices/modbus_requests.h"
 
-#include "projects/devices/wire.h"
+#include "projects/devices/configuration/wire.h"
 
 namespace plc::devices {
 

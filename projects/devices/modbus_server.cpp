@@ -1,10 +1,10 @@
 // A Modbus TCP server: others read what the program sets and write what it gets. Bytes of each client are gathered
 // until a request is whole, so that a slow or silent one holds nobody up; what is not a sound request never reaches
 // libmodbus.
-#include "projects/devices/errors.h"
+#include "projects/devices/configuration/errors.h"
+#include "projects/devices/configuration/wire.h"
 #include "projects/devices/link.h"
 #include "projects/devices/modbus_requests.h"
-#include "projects/devices/wire.h"
 #include "runtime/platform/sockets.h"
 
 namespace plc::devices {

@@ -1,8 +1,8 @@
 // An MQTT client: one connection to a broker, in this thread alone (mosquitto_loop). Topics of inputs are subscribed
 // to, outputs are published when they change and again after each connection.
-#include "projects/devices/errors.h"
+#include "projects/devices/configuration/errors.h"
+#include "projects/devices/configuration/wire.h"
 #include "projects/devices/link.h"
-#include "projects/devices/wire.h"
 #include "runtime/platform/sockets.h"
 
 #include <cerrno>

@@ -1,7 +1,7 @@
 // One connected device between the scan and its link: what came in, what goes out, how it does. The link's thread
 // writes the inputs and figures, the scan thread the outputs; neither ever waits for the other. Owned by the Engine.
 #pragma once
-#include "projects/devices/sample.h"
+#include "projects/devices/configuration/sample.h"
 #include "runtime/base/published.h"
 
 #include <array>

@@ -19,6 +19,8 @@ bool isSameEntry(const image::CallRecord& a, const image::CallRecord& b) {
 
 Debugger::Debugger(controller::Controller& controller, Compile compile, OnHalt onHalt)
     : m_controller(controller), m_compile(std::move(compile)), m_onHalt(std::move(onHalt)) {
+    // The hook is called at flagged statements only; a program without breakpoints pays a byte's look, and only in
+    // quick code.
     m_controller.setSiteHook([this](uint32_t site, uint32_t instance, uint32_t) { atSite(site, instance); });
 }
 
@@ -45,18 +47,22 @@ void Debugger::programChanged() {
         }
         m_active.push_back(std::move(active));
     }
+    // A step goes on in the new version: it asks for depth and task, which an online change leaves alone.
     if (m_mode == Mode::ToLine && !m_isHalted) m_mode = Mode::Free; // its line belongs to the version before
     markSites();
 }
 
 void Debugger::markSites() {
     const std::span<uint8_t> flags = m_controller.siteFlags();
+    // Over and Out cannot mark the statement where they end: which it is depends on calls and conditions. All are
+    // asked.
     const bool steps = m_mode == Mode::In || m_mode == Mode::Over || m_mode == Mode::Out;
     std::fill(flags.begin(), flags.end(), uint8_t(steps ? 1 : 0));
     for (const Active& active : m_active)
         for (const uint32_t site : active.sites) flags[site] = 1;
     if (m_mode == Mode::ToLine)
         for (const uint32_t site : m_target) flags[site] = 1;
+    // Optimised code has no sites; it comes back as soon as nobody waits for one.
     m_controller.useQuickCode(m_mode != Mode::Free || !m_active.empty());
 }
 
@@ -70,6 +76,7 @@ void Debugger::step(Step step) {
     if (!m_isHalted) m_mode = Mode::In; // from a running controller: halt at the next statement
     m_fromDepth = m_controller.context().depth;
     m_fromScan = m_controller.nextScan();
+    // Task and program by what was called first: the depth alone is the same in another task.
     m_fromEntry = entryOf(m_controller.context());
     markSites();
 }
@@ -107,6 +114,7 @@ bool Debugger::conditionHolds(Active& active, uint32_t site, uint32_t instance, 
     if (known == active.conditions.end()) {
         const image::CompiledProgram& program = m_controller.program();
         const image::FunctionInfo& function = program.functions[program.sites[site].function];
+        // Compiled when it is first met, for this instance: "x > 3" means the x of the block that halts.
         const std::string path = instance ? program.layout.pathAt(instance, function.instanceType) : std::string();
         Result<expression::Expression> compiled = m_compile(breakpoint.condition, path);
         if (!compiled) problem = compiled.error().message;
@@ -127,6 +135,7 @@ std::optional<Halt> Debugger::breakpointHit(uint32_t site, uint32_t instance) {
         if (active.instance && *active.instance != instance) continue;
         Halt halt;
         if (!conditionHolds(active, site, instance, halt.problem)) continue;
+        // All breakpoints of the statement count, also those behind the one that halts.
         ++active.hits;
         if (active.hits < m_breakpoints[active.index].hitCount || hit) continue;
         halt.breakpoint = active.index;
@@ -152,6 +161,7 @@ void Debugger::halt(Halt halt) {
     const std::string place = halt.frames.empty() ? std::string() : halt.frames.front().function;
     m_controller.report(controller::EventKind::Breakpoint,
                         halt.problem.isEmpty() ? errors::Plainly(place) : errors::About(place, halt.problem));
+    // Returns when somebody goes on; until then the scan thread serves reads, writes and forces in there (D8).
     const Going going = m_onHalt(halt);
     m_isHalted = false;
     m_controller.setHalted(false);

@@ -11,6 +11,7 @@ SitesOfLine sitesOfLine(const image::CompiledProgram& program, FileId file, uint
     SourceRange best;
     for (uint32_t site = 1; site < program.sites.size(); ++site) {
         const SourceRange& range = program.sites[site].range;
+        // A line without a statement (a comment, END_IF) stands for the next one below it.
         if (range.file != file || range.begin < from) continue;
         const bool isBetter =
             found.sites.empty() || range.begin < best.begin || (range.begin == best.begin && range.end < best.end);
@@ -18,6 +19,7 @@ SitesOfLine sitesOfLine(const image::CompiledProgram& program, FileId file, uint
             best = range;
             found.sites.clear();
         }
+        // One statement has several sites where its code was made more than once: in a base and in what extends it.
         if (range == best) found.sites.push_back(site);
     }
     if (!found.sites.empty()) found.line = text.lineColumn(best.begin).line;

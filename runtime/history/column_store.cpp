@@ -155,7 +155,7 @@ public:
     uint64_t endRow() const override {
         return m_chunks.empty() ? m_firstRow : m_firstRow + (m_chunks.size() - 1) * ChunkRows + m_chunks.back()->size();
     }
-    ColumnRow row(uint64_t row) const override {
+    SignalSample row(uint64_t row) const override {
         PLC_ASSERT(row >= m_firstRow && row < endRow(), return {});
         const Chunk<T>& chunk = *m_chunks[(row - m_firstRow) / ChunkRows];
         const size_t i = (row - m_firstRow) % ChunkRows;
@@ -172,7 +172,7 @@ public:
         return m_firstRow + static_cast<uint64_t>(it - m_chunks.begin()) * ChunkRows + (*it)->lowerBound(time);
     }
 
-    void buckets(int64_t from, int64_t to, std::span<ColumnBucket> out) const override {
+    void buckets(int64_t from, int64_t to, std::span<SignalBucket> out) const override {
         uint64_t begin = out.empty() ? 0 : rowAtOrAfter(from);
         for (size_t i = 0; i < out.size(); ++i) {
             const uint64_t end = rowAtOrAfterFrom(begin, partBegin(from, to, i + 1, out.size()));
@@ -214,7 +214,7 @@ public:
     }
 
 protected:
-    void readRows(uint64_t first, std::span<ColumnRow> out) const override {
+    void readRows(uint64_t first, std::span<SignalSample> out) const override {
         for (size_t done = 0; done < out.size();) {
             const uint64_t row = first + done - m_firstRow;
             const Chunk<T>& chunk = *m_chunks[row / ChunkRows];
@@ -276,8 +276,8 @@ private:
             return m_firstRow + at * ChunkRows + m_chunks[at]->lowerBound(time);
         return rowAtOrAfter(time);
     }
-    ColumnBucket bucketOf(uint64_t begin, uint64_t end) const {
-        ColumnBucket bucket;
+    SignalBucket bucketOf(uint64_t begin, uint64_t end) const {
+        SignalBucket bucket;
         if (begin >= end) return bucket;
         bucket.count = end - begin;
         bucket.first = static_cast<double>(valueAt(begin));
@@ -322,7 +322,7 @@ std::unique_ptr<Column> Column::make(ColumnKind kind) {
     return nullptr;
 }
 
-void Column::appendGap(int64_t from, int64_t to, ColumnGap::Reason reason) {
+void Column::appendGap(int64_t from, int64_t to, SignalGap::Reason reason) {
     if (to <= from) return;
     if (!m_gaps.empty() && m_gaps.back().reason == reason && m_gaps.back().to >= from)
         m_gaps.back().to = std::max(m_gaps.back().to, to);
@@ -350,11 +350,11 @@ std::optional<uint64_t> Column::rowInForceAt(int64_t time) const {
 void Column::visit(uint64_t first, uint64_t end, const Visitor& visitor) const {
     first = std::max(first, m_firstRow);
     end = std::min(end, endRow());
-    std::array<ColumnRow, 1024> block;
+    std::array<SignalSample, 1024> block;
     while (first < end) {
         const size_t count = std::min<uint64_t>(block.size(), end - first);
         readRows(first, std::span(block.data(), count));
-        visitor(std::span<const ColumnRow>(block.data(), count));
+        visitor(std::span<const SignalSample>(block.data(), count));
         first += count;
     }
 }
@@ -362,14 +362,14 @@ void Column::visit(uint64_t first, uint64_t end, const Visitor& visitor) const {
 void Column::evictOldest() {
     if (isEmpty()) return;
     const int64_t from =
-        m_gaps.empty() || m_gaps.front().reason != ColumnGap::Reason::Evicted ? firstTime() : m_gaps.front().from;
+        m_gaps.empty() || m_gaps.front().reason != SignalGap::Reason::Evicted ? firstTime() : m_gaps.front().from;
     const uint64_t dropped = dropOldestChunk();
     if (dropped == 0) return;
     m_firstRow += dropped;
-    std::erase_if(m_gaps, [this](const ColumnGap& gap) {
-        return gap.reason == ColumnGap::Reason::Evicted || gap.to <= firstTime();
+    std::erase_if(m_gaps, [this](const SignalGap& gap) {
+        return gap.reason == SignalGap::Reason::Evicted || gap.to <= firstTime();
     });
-    m_gaps.insert(m_gaps.begin(), {from, firstTime(), ColumnGap::Reason::Evicted});
+    m_gaps.insert(m_gaps.begin(), {from, firstTime(), SignalGap::Reason::Evicted});
 }
 
 ColumnStore::ColumnStore(size_t budgetBytes) : m_budget(budgetBytes) {}

@@ -2,6 +2,8 @@
 // pan as quickly as a thousand. Filled from the history (or a file) by whoever shows the chart, who also owns it; one
 // thread.
 #pragma once
+#include "runtime/base/signal.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,27 +17,6 @@ namespace plc::history {
 /// How a column keeps its values; the narrowest that holds the channel's type exactly is the right one.
 enum class ColumnKind : uint8_t { Bit, Int16, Int32, Int64, Uint64, Float, Double };
 
-/// First, least, greatest and last value of a span of time. `count` 0: nothing was recorded in it. Values that are not
-/// a number count as rows but take no part in minimum and maximum; a bucket of only such rows has `isNumber` false.
-struct ColumnBucket {
-    double first = 0, minimum = 0, maximum = 0, last = 0;
-    uint64_t count = 0;
-    bool isNumber = false;
-};
-
-struct ColumnRow {
-    int64_t time = 0; // nanoseconds
-    double value = 0;
-    bool operator==(const ColumnRow&) const = default;
-};
-
-struct ColumnGap {
-    enum class Reason : uint8_t { Evicted, NoPath, SkippedScans, NotRecorded };
-    int64_t from = 0, to = 0; // no row lies strictly between
-    Reason reason = Reason::NotRecorded;
-    bool operator==(const ColumnGap&) const = default;
-};
-
 class Column {
 public:
     virtual ~Column() = default;
@@ -48,7 +29,7 @@ public:
     /// The same for 64-bit integers that a double cannot hold; of Uint64 the bits.
     virtual bool appendInteger(int64_t time, int64_t value) = 0;
     /// Notes that nothing is known between the last row and the next.
-    void appendGap(int64_t from, int64_t to, ColumnGap::Reason reason);
+    void appendGap(int64_t from, int64_t to, SignalGap::Reason reason);
     /// Going back in time: rows and gaps after `time` leave.
     void truncateAfter(int64_t time);
     void clear();
@@ -57,7 +38,7 @@ public:
     [[nodiscard]] uint64_t firstRow() const { return m_firstRow; }
     [[nodiscard]] virtual uint64_t endRow() const = 0;
     [[nodiscard]] bool isEmpty() const { return endRow() == firstRow(); }
-    [[nodiscard]] virtual ColumnRow row(uint64_t row) const = 0;
+    [[nodiscard]] virtual SignalSample row(uint64_t row) const = 0;
     /// 64-bit integers without rounding; of Uint64 the bits.
     [[nodiscard]] virtual int64_t integer(uint64_t row) const = 0;
     /// Number of the first row at or after `time`; endRow() when there is none.
@@ -69,22 +50,22 @@ public:
     [[nodiscard]] int64_t lastTime() const { return row(endRow() - 1).time; }
 
     /// Splits [from, to) into out.size() equal parts.
-    virtual void buckets(int64_t from, int64_t to, std::span<ColumnBucket> out) const = 0;
+    virtual void buckets(int64_t from, int64_t to, std::span<SignalBucket> out) const = 0;
     /// Hands the rows of [first, end) out in blocks.
-    using Visitor = std::function<void(std::span<const ColumnRow>)>;
+    using Visitor = std::function<void(std::span<const SignalSample>)>;
     void visit(uint64_t first, uint64_t end, const Visitor& visitor) const;
     /// Next row after (before) `row` whose value differs from the one before it.
     [[nodiscard]] virtual std::optional<uint64_t> nextChange(uint64_t row) const = 0;
     [[nodiscard]] virtual std::optional<uint64_t> previousChange(uint64_t row) const = 0;
 
-    [[nodiscard]] const std::vector<ColumnGap>& gaps() const { return m_gaps; }
+    [[nodiscard]] const std::vector<SignalGap>& gaps() const { return m_gaps; }
     [[nodiscard]] virtual size_t bytes() const = 0;
     /// Time of the last row of the oldest chunk that may leave; none while only the newest chunk is left.
     [[nodiscard]] virtual std::optional<int64_t> oldestEvictable() const = 0;
     void evictOldest();
 
 protected:
-    virtual void readRows(uint64_t first, std::span<ColumnRow> out) const = 0;
+    virtual void readRows(uint64_t first, std::span<SignalSample> out) const = 0;
     virtual void dropRowsAfter(int64_t time) = 0;
     virtual void dropAll() = 0;
     virtual uint64_t dropOldestChunk() = 0; // rows dropped
@@ -92,7 +73,7 @@ protected:
     uint64_t m_firstRow = 0;
 
 private:
-    std::vector<ColumnGap> m_gaps; // ascending
+    std::vector<SignalGap> m_gaps; // ascending
 };
 
 using ColumnId = uint32_t;

@@ -16,6 +16,7 @@ using tree::StmtKind;
 namespace {
 
 constexpr uint8_t kNotEvaluated = 2;
+// A decision of 30 conditions has more combinations than memory; so many show each alone long before.
 constexpr size_t kMostVectors = 4096; // of one decision
 
 bool isBool(const tree::Program& tree, const Expr& expr) {
@@ -36,6 +37,7 @@ bool isAdded(const Stmt& stmt, const Expr& expr) {
 }
 
 void conditionsOf(const tree::Program& tree, const Stmt& stmt, const Expr* expr, std::vector<const Expr*>& out) {
+    // A constant cannot go both ways: counting it would make full coverage impossible.
     if (!expr || expr->kind == ExprKind::Constant) return;
     if (!isConnective(tree, *expr)) {
         if (!isAdded(stmt, *expr)) out.push_back(expr);
@@ -81,6 +83,7 @@ Coverage::Coverage(std::shared_ptr<const image::CompiledProgram> program)
 
 bool Coverage::isCounted(uint32_t function) const {
     const image::FunctionInfo& info = m_program->functions[function];
+    // The user cannot test the insides of a library, and a test is not what is tested.
     return info.library.empty() && !info.name.starts_with("Test__");
 }
 
@@ -159,6 +162,8 @@ void Coverage::add(const Look& look) {
             if (root == m_decisionOf.end()) continue;
             Decision& decision = m_decisions[root->second];
             finishDecision(decision, values[event.activation], event.bits != 0);
+            // The same decision runs again in the next pass of a loop; what it did not evaluate then must not be what
+            // it was now.
             for (const Expr* condition : decision.conditions) values[event.activation].erase(condition);
         }
     }
@@ -192,6 +197,8 @@ DecisionCoverage Coverage::coverageOf(const Decision& decision) const {
         }
         for (auto a = decision.seen.begin(); a != decision.seen.end() && !condition.decidedAlone; ++a)
             for (auto b = std::next(a); b != decision.seen.end() && !condition.decidedAlone; ++b) {
+                // Modified condition/decision coverage: two runs that differ in this condition and in the result, the
+                // others being equal or, behind a short circuit, without a say.
                 if ((*a)[i] == (*b)[i] || (*a)[i] == kNotEvaluated || (*b)[i] == kNotEvaluated) continue;
                 if ((*a)[count] == (*b)[count]) continue;
                 bool othersAgree = true;

@@ -32,6 +32,7 @@ struct Look::Index {
 };
 
 const Look::Index& Look::index() const {
+    // Most looks answer one question about one statement; the index is made by the first that searches.
     std::call_once(m_indexed, [this] {
         auto index = std::make_shared<Index>();
         for (EventIndex i = 0; i < m_events.size(); ++i) {
@@ -87,6 +88,7 @@ types::Value Look::valueOf(const Event& event) const {
     std::byte bytes[8];
     std::memcpy(bytes, &event.bits, sizeof bytes);
     if (types.isText(type) || types.isAggregate(type) || types[types.storage(type)].size > sizeof bytes) return {};
+    // A write of another width than its type is one of several pieces (a copy of a structure): its bits are no value.
     if (event.kind == WatchKind::Write && event.bit < 0 && types[types.storage(type)].size != event.size) return {};
     return types::readValue(types, type, bytes, event.kind == WatchKind::Value ? -1 : event.bit);
 }

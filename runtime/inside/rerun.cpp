@@ -15,6 +15,7 @@ constexpr size_t kMachinesKept = 4;   // versions of the program
 Rerunner::Machine& Rerunner::machineOf(const std::shared_ptr<const image::CompiledProgram>& program) {
     auto found = m_machines.find(program.get());
     if (found != m_machines.end()) return *found->second;
+    // A machine holds two images; somebody who walks over many online changes needs each only for a while.
     if (m_machines.size() >= kMachinesKept) m_machines.clear();
     auto fresh = std::make_unique<Machine>(program);
     return *(m_machines[program.get()] = std::move(fresh));
@@ -24,6 +25,7 @@ void Rerunner::make(Rerun& rerun, const How& how, uint32_t occurrence) {
     const history::ScanInput& input = rerun.input;
     Machine& machine = machineOf(input.program);
     controller::Rerun wanted;
+    // Behind the data are frames: they hold what the scan before left, and no program reads them first.
     wanted.image = std::span(input.image).first(std::min<size_t>(input.image.size(), input.program->layout.dataEnd));
     wanted.start = &input.start;
     wanted.scan = input.stamp.scan;
@@ -54,6 +56,8 @@ Result<Rerun> Rerunner::run(Position position, const How& how) {
     Rerun rerun;
     rerun.input = std::move(*input);
     if (!rerun.input.hasJournal) rerun.doubt = texts::NoJournal();
+    // A write at a breakpoint took effect in the middle of the scan, at a statement that may have run many times. Which
+    // time is found by trying: the one that gives the recorded image is the one.
     const bool stood = std::any_of(rerun.input.notes.begin(), rerun.input.notes.end(),
                                    [](const image::OutsideNote& note) { return note.site != 0; });
     for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
@@ -70,6 +74,7 @@ void Rerunner::compare(Rerun& rerun, Position position) const {
     const std::vector<std::byte> recorded = m_history.seek(position);
     const image::Layout& layout = rerun.input.program->layout;
     const auto end = static_cast<uint32_t>(std::min<size_t>({recorded.size(), rerun.image.size(), layout.dataEnd}));
+    // What is in front of kClockEnd was handed to the scan; only what the program made of it can differ.
     if (end <= kClockEnd ||
         std::memcmp(recorded.data() + kClockEnd, rerun.image.data() + kClockEnd, end - kClockEnd) == 0)
         return;

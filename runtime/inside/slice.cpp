@@ -15,6 +15,7 @@ using tree::StmtKind;
 using types::TypeKind;
 
 namespace {
+// An explanation is read by a person; what is longer says "and more" and can be asked further from there.
 constexpr size_t kMostSteps = 400;
 constexpr uint32_t kDeepest = 60;
 
@@ -34,6 +35,7 @@ std::string nameOf(const image::Layout& layout, const image::Place& place) {
     for (const image::Root& root : layout.roots)
         if (root.bit == place.bit && root.offset == place.offset) return image::Layout::pathOf(root);
     std::string found;
+    // Roots are few and searched in whole; pathAt knows bytes and cannot tell the bits in one of them apart.
     for (const image::Root& root : layout.roots) { // BIT members, and bits of words
         const uint32_t size = (*layout.types)[root.type].size;
         if (root.bit >= 0 || place.offset < root.offset || place.offset >= root.offset + std::max(1u, size)) continue;
@@ -110,6 +112,7 @@ uint32_t Slicer::blockAround(EventIndex before, const image::Place& place) const
 
 void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool isInternal) {
     const image::Layout& layout = m_look.program().layout;
+    // The header is the PLC clock: time is what timers wait for, so it is a reason of its own.
     if (place.offset < sizeof(image::ImageHeader)) return clock(out);
     if (place.offset >= layout.dataEnd) return; // a frame: a local without a writer
     for (const image::Root& root : layout.roots)
@@ -125,6 +128,7 @@ void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool i
         fresh.path = nameOf(layout, place);
         fresh.isInternal = isInternal || isMachinery(fresh.path);
         const std::span<const std::byte> image =
+            // What a read in the scan found is the image before it; asked about the end, it is the image after it.
             read < m_look.events().size() ? std::span<const std::byte>(m_look.input().image) : m_look.image();
         if (!m_look.tree().types->isAggregate(place.type))
             fresh.value = types::readValue(*layout.types, place.type, image.subspan(place.offset), place.bit);
@@ -167,6 +171,7 @@ uint32_t Slicer::libraryActivation(uint32_t activation) const {
 
 void Slicer::write(EventIndex at, const image::Place& place, Steps& out) {
     const Event& event = m_look.events()[at];
+    // One write may explain many reads. It is listed once, or a chain of sums doubles with every step.
     if (!m_seen.insert(at).second || isFull()) return;
     ++m_depth;
     const Activation& activation = m_look.activations()[event.activation];
@@ -206,6 +211,7 @@ void Slicer::write(EventIndex at, const image::Place& place, Steps& out) {
 void Slicer::assigned(EventIndex at, Steps& out) {
     const Event& event = m_look.events()[at];
     const Stmt& stmt = *event.stmt();
+    // The condition that was being explained ends here: what the value was made of was not decided by it.
     const Condition around = std::exchange(m_condition, {});
     switch (stmt.kind) {
     case StmtKind::Assign:
@@ -290,6 +296,7 @@ void Slicer::library(EventIndex at, uint32_t index, Steps& out) {
             if (field.section != types::FieldSection::Input || types.isAggregate(field.type)) continue;
             input(activation, {field.type, activation.instance + field.offset, field.bit}, step.steps);
         }
+        // A timer's start or a flip-flop's state came from scans before; without them its output has no reason.
         for (const types::Field& field : block.fields) { // what it remembers
             const bool isOwn = field.section == types::FieldSection::Local ||
                                field.section == types::FieldSection::Static ||

@@ -23,6 +23,7 @@ void StatementMap::add(const std::vector<Stmt*>& body, const Stmt* parent, uint3
         if (stmt->kind == StmtKind::If || stmt->kind == StmtKind::Case) m_branches[function].push_back(stmt);
         for (const tree::Expr* expr : {stmt->a, stmt->b, stmt->c}) addCalls(expr, *stmt, function);
         add(stmt->body, stmt, function, 1);
+        // The numbers are those that a branch reports when it runs: 1 and 0 of IF, the index of CASE, -1 of its ELSE.
         add(stmt->elseBody, stmt, function, stmt->kind == StmtKind::Case ? -1 : 0);
         for (size_t i = 0; i < stmt->arms.size(); ++i) add(stmt->arms[i].body, stmt, function, static_cast<int64_t>(i));
     }
@@ -34,6 +35,7 @@ void StatementMap::addCalls(const tree::Expr* expr, const Stmt& stmt, uint32_t f
     addCalls(expr->b, stmt, function);
     addCalls(expr->c, stmt, function);
     for (const tree::Expr* operand : expr->operands) addCalls(operand, stmt, function);
+    // What an expression needs done first belongs to the statement around it.
     if (!expr->statements.empty()) add(expr->statements, &stmt, function, 1);
     if (!expr->call) return;
     m_callers.insert(&stmt);
@@ -54,6 +56,7 @@ bool StatementMap::mayLeave(const Stmt& stmt) const {
     if (stmt.kind == StmtKind::Return || stmt.kind == StmtKind::Exit || stmt.kind == StmtKind::Continue ||
         stmt.kind == StmtKind::Jump)
         return true;
+    // An EXIT that leaves only a loop further in counts as well: too many are looked at, never too few.
     const auto any = [&](const std::vector<Stmt*>& body) {
         for (const Stmt* each : body)
             if (each && mayLeave(*each)) return true;

@@ -23,6 +23,7 @@ Result<expression::Expression> Reasoner::compile(const Question& question,
     auto checked = m_checked.find(&program);
     if (checked == m_checked.end()) {
         driver::Checked found;
+        // Only the shared pointer leads to what a program was built from.
         for (const auto& shared : m_insight.history().programs())
             if (shared.get() == &program) found = driver::checkedOf(shared);
         checked = m_checked.emplace(&program, std::move(found)).first;
@@ -72,6 +73,7 @@ std::vector<image::Place> Reasoner::placesOf(const Asked& asked) const {
                                    const uint32_t width = leaf.bit >= 0 ? 1 : (*layout.types)[leaf.type].size;
                                    if (leaf.offset < range.begin + range.size && range.begin < leaf.offset + width)
                                        places.push_back(leaf);
+                                   // Of "a + b" both are asked; of a whole array nobody reads more writers than these.
                                    return places.size() < 64;
                                });
         }
@@ -132,10 +134,12 @@ std::optional<Writer> Reasoner::outsideWriter(const image::Place& place, Positio
         writer.origin = note.origin;
         if (writer.kind == WriterKind::Unknown) continue;
         if (note.size == 0 || covers(note.offset, note.size, note.bit, place, size)) {
+            // A note without a size (a reset, an online change) is about everything: one about these bytes says more.
             const bool isPrecise = note.size > 0;
             if (isPrecise || !found || found->kind != WriterKind::Written) found = writer;
         }
     }
+    // A test calls functions from outside, which may or may not have written this: anything else explains it better.
     if (found && found->kind != WriterKind::Test) return found;
     for (const image::ForcedBytes& forced : input->start.forces)
         if (covers(forced.offset, forced.size, forced.bit, place, size)) {
@@ -157,6 +161,7 @@ Result<Writer> Reasoner::writerOf(const Question&, const image::Place& place, Po
     const image::CompiledProgram& program = (*look)->program();
     const uint32_t size = place.bit >= 0 ? 1 : (*program.layout.types)[place.type].size;
     const std::shared_ptr<const image::CompiledProgram> shared = (*look)->input().program;
+    // First of all: a forced variable has that value whatever a statement wrote in between.
     for (const image::ForcedBytes& forced : (*look)->input().start.forces)
         if (covers(forced.offset, forced.size, forced.bit, place, size))
             if (auto writer = outsideWriter(place, at, shared)) return *writer;
@@ -243,6 +248,7 @@ Result<std::vector<Writer>> Reasoner::writersBackFrom(const Question& question, 
         const std::optional<Position> change = lastChange(asked->expression, question, before - 1);
         const Position when = change ? *change : m_insight.history().statistics().first;
         auto writer = lastWriter(question, when);
+        // The beginning of the recording is no writer by itself; it counts where something is known of it.
         if (writer && (change || writer->kind != WriterKind::Unknown)) all.push_back(std::move(*writer));
         if (!change) break;
         before = *change;

@@ -15,7 +15,7 @@
 #include <QMimeData>
 #include <QTimer>
 
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "tests/support/settle.h"
 
 namespace plc::app {

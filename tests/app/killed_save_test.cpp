@@ -4,7 +4,7 @@
 #include "tests/app/killed_save.h"
 #include "tests/support/paths.h"
 
-#include "editor/trace/trace_setup.h"
+#include "editor/trace/setup/trace_setup.h"
 #include "editor/workspace/workspace.h"
 #include "hmi/station/panel_project.h"
 #include "projects/session/session.h"

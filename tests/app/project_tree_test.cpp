@@ -5,7 +5,7 @@
 #include "app/project/rename_dialog.h"
 #include "app/project/search_view.h"
 #include "editor/debug/watch_view.h"
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAbstractButton>

@@ -6,7 +6,7 @@
 #include "app/project/search_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/plot/plot_view.h"
 
 #include <QAction>

@@ -2,7 +2,7 @@
 // and status line, log and slider agree.
 #include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
-#include "editor/plot/plot_scale.h"
+#include "editor/plot/model/plot_scale.h"
 #include "editor/plot/plot_view.h"
 #include "tests/app/studio_fixture.h"
 

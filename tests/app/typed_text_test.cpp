@@ -2,7 +2,7 @@
 // the name that was begun.
 #include "app/project/new_project.h"
 #include "editor/debug/watch_view.h"
-#include "editor/kit/expression_edit.h"
+#include "editor/kit/inputs/expression_edit.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 

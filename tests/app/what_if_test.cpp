@@ -5,6 +5,7 @@
 #include "app/panels/live_views.h"
 #include "app/testing/test_view.h"
 #include "editor/graph/chart_view.h"
+#include "editor/graph/chart/chart_view.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
 

@@ -1,6 +1,6 @@
 // A ladder of 1,000 rungs in the studio's own view: opening it, one edit through keys and the text, scrolling, and a
 // frame with power flow while it runs. Figures to hold against: under 100 ms, under 16 ms, under 16 ms a frame.
-#include "editor/graph/ladder_view.h"
+#include "editor/graph/ladder/ladder_view.h"
 #include "editor/kit/theme.h"
 #include "tests/bench/frame_times.h"
 

@@ -1,9 +1,9 @@
 // Charts of 8 channels with 10 million samples each: memory, first picture, and a frame of pan and zoom at 1920 × 1080.
 // The figure to reach is 16 ms a frame. Runs without a display. STEPWISE_TRACE_SAMPLES changes the number of samples.
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_renderer.h"
-#include "editor/trace/trace_feed.h"
-#include "editor/trace/trace_plot.h"
+#include "editor/plot/painting/plot_renderer.h"
+#include "editor/trace/curves/trace_feed.h"
+#include "editor/trace/curves/trace_plot.h"
 #include "tests/bench/bench_table.h"
 
 #include <QApplication>
@@ -124,7 +124,7 @@ void zoom(benchmark::State& state) {
 
 /// What of a frame is reading the columns.
 void buckets(benchmark::State& state) {
-    std::vector<plot::PlotBucket> out(1800);
+    std::vector<SignalBucket> out(1800);
     const int64_t whole = sampleCount() * Ms;
     int64_t at = 0;
     for (auto _ : state) {

@@ -2,8 +2,8 @@
 #pragma once
 #include "tests/fuzz/inputs.h"
 
-#include "editor/trace/run_recording.h"
-#include "editor/trace/trace_setup.h"
+#include "editor/trace/recording/run_recording.h"
+#include "editor/trace/setup/trace_setup.h"
 #include "hmi/alarms/alarm_file.h"
 #include "hmi/check/panel_check.h"
 #include "hmi/texts/text_table.h"

@@ -4,7 +4,7 @@
 #include "hmi/designer/panel_designer.h"
 #include "running.h"
 
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "tests/support/settle.h"
 
 #include <QAction>

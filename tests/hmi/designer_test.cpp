@@ -9,7 +9,7 @@
 #include "hmi/designer/panel_designer.h"
 #include "hmi/designer/sheet/records_dialog.h"
 
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "tests/support/settle.h"
 
 #include <QAction>

@@ -1,7 +1,7 @@
 // Makes the pictures of charts: every shipped example that has one, idle and running, in the theme that is asked for.
 // The charts are the studio's own views; the controller runs in virtual time, so that the same picture comes out again.
 // Run by docs/pictures/chart.sh. usage: chart_pictures FOLDER light|dark
-#include "editor/graph/chart_view.h"
+#include "editor/graph/chart/chart_view.h"
 #include "editor/kit/theme.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"

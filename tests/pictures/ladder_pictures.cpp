@@ -1,6 +1,6 @@
 // Draws the ladder and function block diagrams of docs/ladder.md with the studio's own view, idle and running.
 // usage: ladder_pictures FOLDER light|dark
-#include "editor/graph/ladder_view.h"
+#include "editor/graph/ladder/ladder_view.h"
 #include "editor/kit/theme.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"

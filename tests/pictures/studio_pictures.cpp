@@ -9,7 +9,7 @@
 #include "app/start/start_page.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
-#include "editor/graph/chart_view.h"
+#include "editor/graph/chart/chart_view.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_view.h"
 #include "runtime/compiler/jit/jit.h"

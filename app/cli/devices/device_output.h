@@ -1,7 +1,7 @@
 // What the command line says of devices: their findings, and how they do; and how it gets the engine that connects
 // them. One thread.
 #pragma once
-#include "projects/devices/device_check.h"
+#include "projects/devices/configuration/device_check.h"
 #include "projects/devices/engine.h"
 #include "projects/model/project.h"
 

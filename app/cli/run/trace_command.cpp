@@ -3,8 +3,8 @@
 #include "app/cli/kit/errors.h"
 #include "app/cli/run/timed_write.h"
 #include "editor/kit/theme.h"
-#include "editor/trace/run_recording.h"
-#include "editor/trace/trace_picture.h"
+#include "editor/trace/curves/trace_picture.h"
+#include "editor/trace/recording/run_recording.h"
 #include "projects/session/session.h"
 #include "runtime/controller/leave_hook.h"
 

@@ -1,6 +1,7 @@
 // What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
 #include "hmi/designer/canvas/design_canvas.h"
 
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/variable_picker.h"
 #include "hmi/check/property_check.h"

@@ -1,8 +1,8 @@
 // What the parts of the designer share: the project's operator side, the checked program, completion, the language that
 // is shown. It also gives typed texts their keys. Owned by the application; main thread.
 #pragma once
-#include "editor/kit/expression_edit.h"
-#include "editor/kit/variable_picker.h"
+#include "editor/kit/inputs/expression_edit.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "hmi/model/document.h"
 #include "hmi/player/panel_commands.h"
 #include "hmi/station/plc_values.h"

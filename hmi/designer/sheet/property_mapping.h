@@ -3,6 +3,7 @@
 #pragma once
 #include "editor/kit/property_grid.h"
 #include "hmi/designer/context/design_context.h"
+#include "editor/kit/inputs/property_grid.h"
 
 namespace plc::hmi {
 

@@ -5,6 +5,8 @@
 #include "editor/plot/plot_line.h"
 #include "editor/plot/plot_scale.h"
 #include "hmi/view/scene/panel_scene.h"
+#include "editor/plot/model/plot_scale.h"
+#include "editor/plot/painting/plot_line.h"
 
 #include <cmath>
 #include <limits>
@@ -21,22 +23,23 @@ QString stepFormat(const std::vector<plot::PlotTick>& steps) {
     return QStringLiteral("%.%1f").arg(digits);
 }
 
+int64_t nanoseconds(double seconds) { return static_cast<int64_t>(std::llround(seconds * 1e9)); }
+
 /// The pieces in the order in which a pen passes their values; one without a value ends the line.
 plot::CurveShape shapeOf(const std::vector<CurvePiece>& pieces, double seconds, bool holds) {
-    const auto time = [](double second) { return static_cast<int64_t>(std::llround(second * 1e9)); };
     plot::CurveShape shape;
-    shape.from = time(-seconds);
+    shape.from = nanoseconds(-seconds);
     shape.to = 0;
     for (const CurvePiece& piece : pieces) {
-        if (!piece.hasValue) {
-            shape.samples.push_back({time(piece.from), std::numeric_limits<double>::quiet_NaN()});
+        if (!piece.hasValue()) {
+            shape.samples.push_back({piece.from, std::numeric_limits<double>::quiet_NaN()});
             continue;
         }
         for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last))
-            shape.samples.push_back({time(piece.from), value});
+            shape.samples.push_back({piece.from, value});
     }
-    if (holds && !pieces.empty() && pieces.back().hasValue)
-        shape.samples.push_back({time(pieces.back().to), pieces.back().last});
+    if (holds && !pieces.empty() && pieces.back().hasValue())
+        shape.samples.push_back({pieces.back().to, pieces.back().last});
     return shape;
 }
 
@@ -312,7 +315,8 @@ void TrendChartView::read() {
         for (int i = 0; i < 120; ++i) {
             const double at = -seconds + seconds * i / 120.0,
                          level = 50 + 30 * std::sin(i * 0.09 + index) * std::exp(-i * 0.012);
-            series.pieces.push_back({at, at + seconds / 120, level, level, level, level, true});
+            series.pieces.push_back(
+                {{level, level, level, level, 1, true}, nanoseconds(at), nanoseconds(at + seconds / 120)});
         }
         ++index;
     }
@@ -370,7 +374,7 @@ void TrendChartView::draw(QPainter& painter) {
         double low = 1e300, high = -1e300;
         for (const Series& series : m_series)
             for (const CurvePiece& piece : series.pieces)
-                if (piece.hasValue) low = std::min(low, piece.minimum), high = std::max(high, piece.maximum);
+                if (piece.hasValue()) low = std::min(low, piece.minimum), high = std::max(high, piece.maximum);
         if (low > high) low = 0, high = 1;
         const double margin = std::max((high - low) * 0.08, std::max(std::abs(high), 1e-6) * 1e-6);
         if (high - low < 1e-12) low -= 0.5, high += 0.5;

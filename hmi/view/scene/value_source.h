@@ -2,6 +2,7 @@
 // knows no PLC. Owned by whoever owns the scene; main thread.
 #pragma once
 #include "hmi/model/value.h"
+#include "runtime/base/signal.h"
 
 #include <QHash>
 #include <QMap>
@@ -19,11 +20,10 @@ struct BindingId {
 /// How much the values can be trusted, shown over the panel when they are not live.
 enum class Freshness { Live, Past, Stopped, Paused, Fault, Disconnected };
 
-/// A piece of a curve: the least and greatest value between two times.
-struct CurvePiece {
-    double from = 0, to = 0; // seconds before now, negative
-    double first = 0, minimum = 0, maximum = 0, last = 0;
-    bool hasValue = false;
+/// A bucket with its own two times, since those of a trend are as long as so many scans were, and scans differ.
+struct CurvePiece : SignalBucket {
+    int64_t from = 0, to = 0; // nanoseconds, counted from now: negative
+    [[nodiscard]] bool hasValue() const { return count > 0; }
 };
 
 class ValueSource {

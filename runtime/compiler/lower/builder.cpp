@@ -52,6 +52,7 @@ void Builder::setHeight(Expr& e) {
 
 Expr* Builder::clone(const Expr* e) {
     if (!e) return nullptr;
+    // Lowered trees are changed in place (ranges, heights): a node that two statements share would be moved twice.
     Expr* copy = make<Expr>();
     *copy = *e;
     copy->base = clone(e->base);
@@ -127,6 +128,7 @@ Stmt* Builder::ifThen(Expr* condition, Block body, SourceRange range, Stmt* orig
 }
 
 Block Builder::statements(const std::string& text, SourceRange place, const std::vector<Expr*>& holes) {
+    // The text is ours: an error in it is a mistake of a lowering and not of the user.
     diagnostics::Sink sink;
     Block block = parse::parseStatements(m_file, keep(text), sink);
     PLC_ASSERT(!sink.hasErrors(), return {});
@@ -146,6 +148,8 @@ void Builder::settle(Expr*& e, SourceRange place, const std::vector<Expr*>& hole
             return;
         }
     }
+    // Everything generated stands for one place of the user's text: diagnostics and breakpoints lead there. What fills
+    // a hole is the user's own and keeps its places.
     e->range = e->operatorRange = e->name.range = e->prefix.range = place;
     settle(e->base, place, holes);
     settle(e->right, place, holes);

@@ -139,6 +139,8 @@ public:
         if (m_steps.empty()) return {};
         started();
         collectControls();
+        // The order of edition 2, 2.6.5: times first, since conditions read them; then all transitions against the
+        // steps as they were; then the steps change together; then actions, which see the steps as they are now.
         Block work;
         append(work, update());
         append(work, evolution());
@@ -147,6 +149,7 @@ public:
         append(work, controlCalls());
         append(work, actionCalls());
         Block out;
+        // SFCInit holds the chart at its initial steps; SFCReset (below) goes there and lets the actions run on.
         if (m_flags.has("SFCInit")) {
             Block first = reset("SFCInit");
             append(out, m_builder.statements("IF SFCInit THEN ELSE END_IF", m_place));
@@ -162,7 +165,8 @@ private:
     void append(Block& to, Block from) { to.insert(to.end(), from.begin(), from.end()); }
     std::string chartVariable() const { return "__chart" + m_number; }
     std::string firedVariable() const { return "__fired" + m_number; }
-    /// The variable of a step. One that takes the name of a variable has a hidden one, so that the clash is told once.
+    /// The variable of a step. One that takes the name of a variable has a hidden one, so that the clash is reported
+    /// once.
     std::string step(const StepDecl& s) const {
         return m_clashing.contains(&s) ? "__step_" + identifierFrom(s.name.text) + "_" + m_number
                                        : spelled(s.name.text);
@@ -171,7 +175,7 @@ private:
     void declareSteps() {
         for (const StepDecl* s : m_chart.steps) {
             const std::string key = foldCase(s->name.text);
-            if (!s->name.isValid() || !m_unit.steps.insert(key).second) continue; // told by the chart's checks
+            if (!s->name.isValid() || !m_unit.steps.insert(key).second) continue; // reported by the chart's checks
             m_steps.push_back(s);
             m_known[key] = s;
             if (const Name* other = variableNamed(s->name)) {
@@ -207,6 +211,7 @@ private:
         array->kind = syntax::TypeSpecKind::Array;
         array->range = m_place;
         array->element = decl->type;
+        // An array and not one flag each: whoever shows a recording looks up a transition by its number in the text.
         const auto number = [&](size_t value) {
             auto* e = m_builder.make<Expr>();
             e->kind = ExprKind::Literal;
@@ -274,6 +279,8 @@ private:
             std::vector<Expr*> holes;
             for (const Name& from : t.from) {
                 const StepDecl& s = *find(from);
+                // A step that an earlier transition took is active until the end of the scan, but nobody can take it
+                // twice.
                 guard += (guard.empty() ? "" : " AND ") + step(s) + ".X AND NOT " + step(s) + ".leave";
                 effect += step(s) + ".leave := TRUE;";
                 if (Expr* least = pragmaTime(s, "minTime")) {
@@ -284,6 +291,8 @@ private:
             for (const Name& to : t.to) effect += step(*find(to)) + ".enter := TRUE;";
             effect += firedVariable() + "[" + std::to_string(index) + "] := TRUE;";
             if (m_flags.has("SFCTrans")) effect += "SFCTrans := TRUE;";
+            // The instructions of a condition in IL are in front of the test and inside of the guard: they run only
+            // while the steps before the transition are active.
             Block before;
             Expr* condition = t.condition;
             if (!condition) {
@@ -297,6 +306,7 @@ private:
             if (!condition) continue;
             const std::string hole = "__hole" + std::to_string(holes.size());
             std::string test = hole;
+            // One step on for each rising edge of SFCTip; the condition itself does not count in that mode.
             if (!tip.empty()) test = "SFCTipMode AND SFCTip AND NOT " + tip + " OR NOT SFCTipMode AND " + hole;
             holes.push_back(condition);
             Block whole = m_builder.statements(
@@ -332,6 +342,7 @@ private:
         for (const syntax::Pragma& pragma : s.pragmas) {
             if (!equalsIgnoringCase(pragma.key, key)) continue;
             Block block = m_builder.statements("__x := " + std::string(pragma.value) + ";", pragma.range);
+            // The value is read as an expression of ST: any duration will do, a name included.
             if (block.size() == 1 && block[0]->kind == StmtKind::Assign) return duration(block[0]->value);
         }
         return nullptr;
@@ -372,6 +383,7 @@ private:
                 if (isNew) {
                     Control control;
                     control.name = a.action;
+                    // Otherwise it is a variable, or an action of a base, which is not known here.
                     control.isAction = m_unit.actions.contains(key);
                     control.variable =
                         "__action_" + identifierFrom(a.action.text) + (m_number == "0" ? "" : "_" + m_number);
@@ -397,7 +409,7 @@ private:
             return "__hole" + std::to_string(control.holes.size() - 1);
         };
         const bool timed = q == "l" || q == "d" || q == "ds" || q == "sd" || q == "sl";
-        if (timed && !a.time) return; // told by the chart's checks
+        if (timed && !a.time) return; // reported by the chart's checks
         if (q.empty() || q == "n")
             control.non.push_back(active);
         else if (q == "s")
@@ -416,6 +428,7 @@ private:
             control.non.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
         else if (q == "ds")
             control.stored.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
+        // These go on when the step has been left, so the step's own time does not do.
         else if (q == "sd" || q == "sl") {
             const std::string variable =
                 "__timed_" + identifierFrom(a.action.text) + "_" + m_number + "_" + std::to_string(m_timed++);
@@ -461,6 +474,7 @@ private:
         Block out;
         const auto calls = [&](const char* when) {
             for (const Control& control : m_controls)
+                // A unit that extends another may name an action of it; inherited() leaves the choice to the checker.
                 if (control.isAction || !m_unit.pou.extends.empty()) {
                     Block call = m_builder.statements("IF " + control.variable + "." + when + " THEN " +
                                                           spelled(control.name.text) + "(); END_IF",
@@ -472,6 +486,7 @@ private:
             if (!control.isAction)
                 append(out, associated(m_builder.statements(
                                 spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range)));
+        // In this order: whoever ends writes its last, whoever begins comes behind it.
         calls("last");
         calls("entry");
         calls("Q");
@@ -506,6 +521,7 @@ private:
         if (m_flags.has("SFCQuitError") && m_flags.has("SFCError")) stops.push_back("SFCQuitError");
         if (stops.empty()) return work;
         Block out;
+        // The times of the steps begin again, or the limit that was exceeded would be exceeded at once.
         if (stops.back() == "SFCQuitError") {
             std::string text = "IF SFCQuitError THEN SFCError := FALSE;";
             for (const StepDecl* s : m_steps) text += step(*s) + ".restart();";

@@ -172,6 +172,7 @@ private:
         m_liveIn.assign(n + 1, false);
         m_liveIn[n] = wantsResult;
         m_liveOut.assign(n, false);
+        // Backward until nothing changes: a jump back makes a result live in instructions that were done already.
         for (bool changed = true; changed;) {
             changed = false;
             for (size_t i = n; i-- > 0;) {
@@ -263,6 +264,7 @@ private:
                 }
             }
             acc = instruction(il, acc, origin, live, outermost);
+            // For online values: what a line leaves must be somewhere in the image, also when the next line uses it up.
             if (acc && m_keep == Keep::Every && defines(il)) acc = capture(acc, origin);
             origin->il->result = acc && (isSimple(acc) || isConstant(acc)) ? m_builder.clone(acc) : nullptr;
         }
@@ -275,6 +277,7 @@ private:
         const bool isFirstCall = op == Op::Function && !acc && (il.operand || il.arguments.empty());
         if (uses(il) && !acc && !isFirstCall) {
             if (il.op.isValid()) report(il.op.range, il.op.text);
+            // Reported; an expression that is no value keeps the rest of the list from reporting the same.
             acc = m_builder.make<Expr>();
             acc->range = range;
         }

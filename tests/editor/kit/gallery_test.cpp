@@ -1,9 +1,9 @@
 // Pictures of the style, the icons and the small widgets, to be looked at (STEPWISE_PICTURES names the folder); and
 // that each theme paints them without leaving anything in the colours of the other one.
 #include "editor/kit/command_palette.h"
-#include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
-#include "editor/kit/property_grid.h"
+#include "editor/kit/inputs/expression_edit.h"
+#include "editor/kit/inputs/property_grid.h"
 #include "editor/kit/theme.h"
 
 #include <QAction>

@@ -3,12 +3,12 @@
 #include "editor/kit/command_palette.h"
 #include "editor/kit/contrast.h"
 #include "editor/kit/edit_history.h"
-#include "editor/kit/expression_edit.h"
 #include "editor/kit/fuzzy.h"
 #include "editor/kit/icons.h"
-#include "editor/kit/property_grid.h"
+#include "editor/kit/inputs/expression_edit.h"
+#include "editor/kit/inputs/property_grid.h"
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
 
 #include <QAction>
 #include <QApplication>

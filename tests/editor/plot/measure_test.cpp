@@ -1,5 +1,5 @@
 // Statistics between cursors, against values worked out by hand.
-#include "editor/plot/measure.h"
+#include "editor/plot/model/measure.h"
 
 #include <gtest/gtest.h>
 
@@ -116,7 +116,7 @@ TEST(SampleList, AnswersLikeAChartNeeds) {
     EXPECT_EQ(nearestSample(list, 26)->time, 30);
     EXPECT_EQ(nearestSample(list, -100)->time, 0);
     EXPECT_EQ(nearestSample(list, 1'000)->time, 40);
-    std::vector<PlotBucket> buckets(2);
+    std::vector<plc::SignalBucket> buckets(2);
     list.buckets(0, 50, buckets);
     EXPECT_EQ(buckets[0].count, 3u);
     EXPECT_EQ(buckets[0].last, 2);

@@ -2,7 +2,7 @@
 // unit once, and what is drawn beneath says what it is.
 #include "editor/kit/curve_words.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/plot_renderer.h"
+#include "editor/plot/painting/plot_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The plot: what is drawn lies where the samples are. Set STEPWISE_PICTURES to a folder to get the pictures to look at.
 #include "editor/kit/pen_order.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/model/plot_scale.h"
+#include "editor/plot/painting/plot_raster.h"
+#include "editor/plot/painting/plot_renderer.h"
+#include "editor/plot/painting/plot_table.h"
 #include "editor/plot/plot_export.h"
-#include "editor/plot/plot_raster.h"
-#include "editor/plot/plot_renderer.h"
-#include "editor/plot/plot_scale.h"
-#include "editor/plot/plot_table.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -260,7 +260,7 @@ TEST(PlotRenderer, NoLineCrossesAGap) {
             auto list = std::make_shared<SampleList>();
             for (int64_t t = 0; t <= 1 * S; t += step)
                 if (t <= 400 * Ms || t >= 600 * Ms) list->append(t, 50);
-            list->addGap({400 * Ms, 600 * Ms, PlotGap::Reason::NoPath});
+            list->addGap({400 * Ms, 600 * Ms, plc::SignalGap::Reason::NoPath});
             model.curves = {curveOf("v", list, style, 1)};
             Drawn drawn;
             draw(drawn, model);

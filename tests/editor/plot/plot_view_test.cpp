@@ -1,6 +1,6 @@
 // The plot widget under a user's hands: wheel, box, pan, cursors, keys, drops.
+#include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/theme.h"
-#include "editor/kit/variable_picker.h"
 #include "editor/plot/plot_view.h"
 
 #include <QApplication>

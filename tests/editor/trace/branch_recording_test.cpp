@@ -1,5 +1,5 @@
 // What was recorded before the controller went back, as a recording of its own.
-#include "editor/trace/branch_recording.h"
+#include "editor/trace/recording/branch_recording.h"
 
 #include "tests/editor/trace/fake_recording.h"
 

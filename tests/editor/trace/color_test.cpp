@@ -1,6 +1,6 @@
 // The colour of a channel: its own, else the one that its name says, else the next of the theme.
 #include "editor/kit/theme.h"
-#include "editor/trace/trace_plot.h"
+#include "editor/trace/curves/trace_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // thread.
 #pragma once
 
-#include "editor/trace/recording.h"
+#include "editor/trace/recording/recording.h"
 #include "runtime/base/messages.h"
 
 #include <cmath>

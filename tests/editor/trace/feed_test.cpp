@@ -1,6 +1,6 @@
 // From a recording into columns: every scan, every n-th, under a condition, over gaps, over branches; and the trigger.
-#include "editor/trace/trace_feed.h"
-#include "editor/trace/trigger.h"
+#include "editor/trace/curves/trace_feed.h"
+#include "editor/trace/setup/trigger.h"
 #include "tests/editor/trace/fake_recording.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,10 @@ protected:
         recording.addReal("sine", [](double t) { return std::sin(t * 20); });
     }
 
-    std::vector<plot::PlotSample> all(const std::string& expression) {
-        std::vector<plot::PlotSample> out;
+    std::vector<plc::SignalSample> all(const std::string& expression) {
+        std::vector<plc::SignalSample> out;
         const auto source = feed.source(expression);
-        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
+        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plc::SignalSample> block) {
             out.insert(out.end(), block.begin(), block.end());
         });
         return out;
@@ -95,7 +95,7 @@ TEST_F(FeedTest, TheConditionLeavesGapsWhereItDoesNotHold) {
     ASSERT_EQ(gaps.size(), 1u);
     EXPECT_EQ(gaps[0].from, 19 * Ms);
     EXPECT_EQ(gaps[0].to, 50 * Ms);
-    EXPECT_EQ(gaps[0].reason, plot::PlotGap::Reason::NotRecorded);
+    EXPECT_EQ(gaps[0].reason, plc::SignalGap::Reason::NotRecorded);
 }
 
 TEST_F(FeedTest, WhereThePathDidNotExistIsAGap) {
@@ -107,7 +107,7 @@ TEST_F(FeedTest, WhereThePathDidNotExistIsAGap) {
     EXPECT_EQ(all("young").size(), 60u);
     const auto gaps = feed.source("young")->gaps(0, 100 * Ms);
     ASSERT_EQ(gaps.size(), 1u);
-    EXPECT_EQ(gaps[0].reason, plot::PlotGap::Reason::NoPath);
+    EXPECT_EQ(gaps[0].reason, plc::SignalGap::Reason::NoPath);
     EXPECT_EQ(gaps[0].from, 0);
     EXPECT_EQ(gaps[0].to, 40 * Ms);
 }
@@ -120,7 +120,7 @@ TEST_F(FeedTest, WhatLeftTheHistoryBeforeItWasReadIsAGap) {
     EXPECT_EQ(all("sine").front().time, 30 * Ms);
     auto gaps = feed.source("sine")->gaps(0, 100 * Ms);
     ASSERT_EQ(gaps.size(), 1u);
-    EXPECT_EQ(gaps[0].reason, plot::PlotGap::Reason::Evicted);
+    EXPECT_EQ(gaps[0].reason, plc::SignalGap::Reason::Evicted);
     recording.run(100);
     recording.oldest = 150; // the window slept too long
     feed.pumpAll();

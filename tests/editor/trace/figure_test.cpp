@@ -1,10 +1,10 @@
 // What a trace shows besides curves over time: derived channels, XY plots, spectra, responses, runs, remarks, tables of
 // measured values beside live ones.
 #include "editor/kit/theme.h"
+#include "editor/trace/curves/trace_picture.h"
 #include "editor/trace/figure_pane.h"
-#include "editor/trace/run_recording.h"
-#include "editor/trace/table_recording.h"
-#include "editor/trace/trace_picture.h"
+#include "editor/trace/recording/run_recording.h"
+#include "editor/trace/recording/table_recording.h"
 #include "editor/trace/trace_view.h"
 #include "tests/editor/trace/fake_recording.h"
 #include "tests/support/settle.h"

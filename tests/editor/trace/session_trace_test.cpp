@@ -1,10 +1,10 @@
 // The trace over real programs: every sample is the value at that scan's end, the window may be late, going back, an
 // online change and files keep the story straight; names complete from the compiled program.
 #include "editor/plot/plot_view.h"
-#include "editor/trace/program_variables.h"
-#include "editor/trace/run_recording.h"
-#include "editor/trace/trace_feed.h"
-#include "editor/trace/trace_picture.h"
+#include "editor/trace/curves/trace_feed.h"
+#include "editor/trace/curves/trace_picture.h"
+#include "editor/trace/recording/run_recording.h"
+#include "editor/trace/setup/program_variables.h"
 #include "editor/trace/trace_view.h"
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
@@ -75,14 +75,13 @@ void runScans(session::Session& session, int count) {
     for (int i = 0; i < count; ++i) ASSERT_TRUE(controller.scan());
 }
 
-std::vector<plot::PlotSample> samplesOf(const TraceFeed& feed, const std::string& expression) {
-    std::vector<plot::PlotSample> out;
+std::vector<SignalSample> samplesOf(const TraceFeed& feed, const std::string& expression) {
+    std::vector<SignalSample> out;
     const auto source = feed.source(expression);
     EXPECT_TRUE(source) << expression << ": " << feed.problem(expression);
     if (source)
-        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
-            out.insert(out.end(), block.begin(), block.end());
-        });
+        source->visit(INT64_MIN, INT64_MAX,
+                      [&](std::span<const SignalSample> block) { out.insert(out.end(), block.begin(), block.end()); });
     return out;
 }
 
@@ -147,8 +146,8 @@ TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
     const auto source = view.plot()->model().curves[1].source;
     ASSERT_EQ(source->countIn(0, INT64_MAX), scans);
     double expected = 0;
-    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
-        for (const plot::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const SignalSample> block) {
+        for (const SignalSample& s : block) ASSERT_EQ(s.value, expected++);
     });
     view.setRecording(nullptr);
 }
@@ -205,8 +204,8 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
     const auto source = view.plot()->model().curves[0].source;
     ASSERT_EQ(source->countIn(0, INT64_MAX), status.scans) << "every executed scan";
     double expected = 0;
-    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
-        for (const plot::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const SignalSample> block) {
+        for (const SignalSample& s : block) ASSERT_EQ(s.value, expected++);
     });
     // What was executed and what was skipped fill the time, none is lost from sight.
     ASSERT_GT(status.skippedScans, 10u);
@@ -308,7 +307,7 @@ TEST(SessionTrace, AnOnlineChangeLeavesAGapWhereThePathDidNotExist) {
     EXPECT_GE(b.front().time, a[99].time);
     const auto gaps = feed.source("Main.b")->gaps(INT64_MIN, INT64_MAX);
     ASSERT_EQ(gaps.size(), 1u);
-    EXPECT_EQ(gaps[0].reason, plot::PlotGap::Reason::NoPath);
+    EXPECT_EQ(gaps[0].reason, SignalGap::Reason::NoPath);
 }
 
 TEST(SessionTrace, ASavedRecordingDrawsTheSame) {

@@ -1,5 +1,5 @@
 // Trace set-ups on disk: what is read, what is refused, and that nothing of other versions is lost.
-#include "editor/trace/trace_setup.h"
+#include "editor/trace/setup/trace_setup.h"
 
 #include <gtest/gtest.h>
 

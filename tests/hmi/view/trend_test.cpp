@@ -49,7 +49,8 @@ struct Trend {
 };
 
 CurvePiece piece(double from, double to, double least, double greatest, double last, bool hasValue = true) {
-    return {from, to, last, least, greatest, last, hasValue};
+    const auto nanoseconds = [](double seconds) { return static_cast<int64_t>(seconds * 1e9); };
+    return {{last, least, greatest, last, hasValue ? 1u : 0u, hasValue}, nanoseconds(from), nanoseconds(to)};
 }
 
 TEST(TrendChart, NoPeakWithinAPieceIsLost) {

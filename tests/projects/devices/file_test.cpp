@@ -1,6 +1,6 @@
 // devices.json: what it reads, what it says about wrong ones, and that an edit changes nothing else.
-#include "projects/devices/device_check.h"
-#include "projects/devices/proposal.h"
+#include "projects/devices/configuration/device_check.h"
+#include "projects/devices/configuration/proposal.h"
 #include "tests/projects/devices/peers.h"
 
 using namespace plc;

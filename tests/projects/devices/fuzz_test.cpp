@@ -1,9 +1,9 @@
 // Frames from a broken or hostile peer: random and nearly right requests to our server, answers to our client,
 // messages, and devices.json cut and changed at random. Nothing may crash, hang or write outside. STEPWISE_LONG makes
 // ten million frames; STEPWISE_SEED repeats a run.
-#include "projects/devices/device_check.h"
+#include "projects/devices/configuration/device_check.h"
+#include "projects/devices/configuration/wire.h"
 #include "projects/devices/modbus_requests.h"
-#include "projects/devices/wire.h"
 #include "tests/projects/devices/peers.h"
 
 #include <cstdlib>

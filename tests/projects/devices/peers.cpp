@@ -1,6 +1,6 @@
 #include "tests/projects/devices/peers.h"
 
-#include "projects/devices/device_check.h"
+#include "projects/devices/configuration/device_check.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/inside/rerun.h"
 

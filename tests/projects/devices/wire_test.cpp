@@ -1,5 +1,5 @@
 // Numbers on the wire: every type in every byte order, JSON; what does not fit.
-#include "projects/devices/wire.h"
+#include "projects/devices/configuration/wire.h"
 
 #include <gtest/gtest.h>
 

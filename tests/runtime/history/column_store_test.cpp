@@ -11,11 +11,11 @@ using namespace plc::history;
 
 namespace {
 
-using Rows = std::vector<ColumnRow>;
+using Rows = std::vector<plc::SignalSample>;
 
-ColumnBucket slowBucket(const Rows& rows, int64_t from, int64_t to) {
-    ColumnBucket b;
-    for (const ColumnRow& row : rows) {
+plc::SignalBucket slowBucket(const Rows& rows, int64_t from, int64_t to) {
+    plc::SignalBucket b;
+    for (const plc::SignalSample& row : rows) {
         if (row.time < from || row.time >= to) continue;
         if (b.count++ == 0) b.first = row.value;
         b.last = row.value;
@@ -28,13 +28,13 @@ ColumnBucket slowBucket(const Rows& rows, int64_t from, int64_t to) {
 }
 
 void expectSame(const Column& column, const Rows& rows, int64_t from, int64_t to, size_t parts) {
-    std::vector<ColumnBucket> buckets(parts);
+    std::vector<plc::SignalBucket> buckets(parts);
     column.buckets(from, to, buckets);
     for (size_t i = 0; i < parts; ++i) {
         const int64_t a = from + static_cast<int64_t>((to - from) / parts * i + (to - from) % parts * i / parts);
         const int64_t b =
             from + static_cast<int64_t>((to - from) / parts * (i + 1) + (to - from) % parts * (i + 1) / parts);
-        const ColumnBucket want = slowBucket(rows, a, b);
+        const plc::SignalBucket want = slowBucket(rows, a, b);
         ASSERT_EQ(buckets[i].count, want.count) << "part " << i << " of " << parts << " over " << from << ".." << to;
         ASSERT_EQ(buckets[i].isNumber, want.isNumber);
         if (want.count == 0) continue;
@@ -80,7 +80,7 @@ TEST_P(ColumnAgainstVector, BucketsAndSearchesAgree) {
         const int64_t to = from + 1 + static_cast<int64_t>(random() % static_cast<uint64_t>(time));
         expectSame(*column, rows, from, to, 1 + random() % 40);
         const auto it = std::lower_bound(rows.begin(), rows.end(), from,
-                                         [](const ColumnRow& row, int64_t t) { return row.time < t; });
+                                         [](const plc::SignalSample& row, int64_t t) { return row.time < t; });
         EXPECT_EQ(column->rowAtOrAfter(from), static_cast<uint64_t>(it - rows.begin()));
     }
     expectSame(*column, rows, 1'000, time, 1);
@@ -129,7 +129,7 @@ TEST(Column, UnsignedIntegersKeepTheirBitsAndTheirOrder) {
     const uint64_t values[] = {5, 0xFFFFFFFFFFFFFFFF, 0x8000000000000001};
     for (int i = 0; i < 3; ++i) column->appendInteger(i, static_cast<int64_t>(values[i]));
     for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(static_cast<uint64_t>(column->integer(i)), values[i]);
-    ColumnBucket bucket;
+    plc::SignalBucket bucket;
     column->buckets(0, 3, std::span(&bucket, 1));
     EXPECT_EQ(bucket.minimum, 5);
     EXPECT_EQ(bucket.maximum, 18446744073709551615.0);
@@ -139,7 +139,7 @@ TEST(Column, TruncatesForABranchAndGoesOn) {
     auto column = Column::make(ColumnKind::Float);
     Rows rows;
     for (int i = 0; i < 10'000; ++i) column->append(i * 10, i), rows.push_back({i * 10, double(i)});
-    column->appendGap(99'990, 120'000, ColumnGap::Reason::SkippedScans);
+    column->appendGap(99'990, 120'000, plc::SignalGap::Reason::SkippedScans);
     column->truncateAfter(50'005);
     rows.resize(5'001);
     EXPECT_TRUE(column->gaps().empty());
@@ -172,8 +172,8 @@ TEST(Column, VisitsEveryRowOnceInOrder) {
     auto column = Column::make(ColumnKind::Int32);
     for (int i = 0; i < 10'000; ++i) column->append(i * 3, i);
     uint64_t expected = 17;
-    column->visit(17, 9'001, [&](std::span<const ColumnRow> block) {
-        for (const ColumnRow& row : block) {
+    column->visit(17, 9'001, [&](std::span<const plc::SignalSample> block) {
+        for (const plc::SignalSample& row : block) {
             ASSERT_EQ(row.value, static_cast<double>(expected));
             ASSERT_EQ(row.time, static_cast<int64_t>(expected * 3));
             ++expected;
@@ -196,7 +196,7 @@ TEST(ColumnStore, EvictsTheOldestOfAllColumnsAndSaysSo) {
     for (ColumnId id : {a, b}) {
         const Column& column = store.column(id);
         ASSERT_EQ(column.gaps().size(), 1u);
-        EXPECT_EQ(column.gaps()[0], (ColumnGap{0, column.firstTime(), ColumnGap::Reason::Evicted}));
+        EXPECT_EQ(column.gaps()[0], (plc::SignalGap{0, column.firstTime(), plc::SignalGap::Reason::Evicted}));
         EXPECT_EQ(column.lastTime(), 99'999);
         EXPECT_EQ(column.row(column.firstRow()).time, static_cast<int64_t>(column.firstRow()));
     }
