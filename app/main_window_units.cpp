@@ -7,7 +7,6 @@
 #include "app/project/project_tree.h"
 #include "app/project/rename_dialog.h"
 #include "app/project/search_view.h"
-#include "editor/graph/chart_unit.h"
 #include "editor/graph/chart/chart_unit.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"

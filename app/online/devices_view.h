@@ -3,7 +3,6 @@
 // dock; GUI thread.
 #pragma once
 #include "app/project/problems_view.h"
-#include "projects/devices/device_file.h"
 #include "projects/devices/configuration/device_file.h"
 
 #include <QTimer>

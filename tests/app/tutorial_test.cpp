@@ -5,7 +5,7 @@
 #include "app/panels/live_views.h"
 #include "app/project/new_project.h"
 #include "editor/debug/watch_view.h"
-#include "editor/kit/expression_edit.h"
+#include "editor/kit/inputs/expression_edit.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"

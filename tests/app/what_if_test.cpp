@@ -4,7 +4,6 @@
 #include "app/online/what_if_dialog.h"
 #include "app/panels/live_views.h"
 #include "app/testing/test_view.h"
-#include "editor/graph/chart_view.h"
 #include "editor/graph/chart/chart_view.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"

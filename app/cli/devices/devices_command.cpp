@@ -4,7 +4,6 @@
 
 #include "app/cli/devices/device_output.h"
 #include "app/cli/kit/errors.h"
-#include "projects/devices/proposal.h"
 #include "projects/devices/configuration/proposal.h"
 
 #include <iostream>

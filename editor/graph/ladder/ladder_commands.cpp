@@ -1,7 +1,6 @@
 // What is done to a ladder diagram by keyboard, mouse, menu and the field in place.
-#include "editor/graph/ladder_view.h"
-#include "editor/kit/bar_menu.h"
 #include "editor/graph/ladder/ladder_view.h"
+#include "editor/kit/bar_menu.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"

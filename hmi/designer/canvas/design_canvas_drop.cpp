@@ -3,7 +3,6 @@
 
 #include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/variable_picker.h"
 #include "hmi/check/property_check.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/context/applicable.h"

@@ -1,9 +1,8 @@
 // Between the properties of panels and the studio's property grid: descriptors and values, both ways. Also used for the
 // rows of records. Pure functions over the context; main thread.
 #pragma once
-#include "editor/kit/property_grid.h"
-#include "hmi/designer/context/design_context.h"
 #include "editor/kit/inputs/property_grid.h"
+#include "hmi/designer/context/design_context.h"
 
 namespace plc::hmi {
 

@@ -2,11 +2,9 @@
 
 #include "editor/kit/curve_words.h"
 #include "editor/kit/pen_order.h"
-#include "editor/plot/plot_line.h"
-#include "editor/plot/plot_scale.h"
-#include "hmi/view/scene/panel_scene.h"
 #include "editor/plot/model/plot_scale.h"
 #include "editor/plot/painting/plot_line.h"
+#include "hmi/view/scene/panel_scene.h"
 
 #include <cmath>
 #include <limits>
