@@ -4,6 +4,7 @@
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/declare/configuration.h"
 #include "runtime/compiler/sema/declare/declare.h"
+#include "runtime/compiler/sema/declare/generic_blocks.h"
 #include "runtime/compiler/sema/declare/tests.h"
 #include "runtime/compiler/sema/kept/last_check.h"
 #include "runtime/compiler/sema/kept_bodies.h"
@@ -99,6 +100,7 @@ tree::FunctionId newFunction(Gathered& gathered, std::string name, const Unit* u
 size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
+    declareGenericBlocks(world);
     // By index and not by iterator wherever the list may grow meanwhile.
     for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
     // Before any layout: whether a block has a number at offset 0 moves all its fields.
