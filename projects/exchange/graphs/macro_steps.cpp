@@ -124,6 +124,8 @@ void expandMacroSteps(pugi::xml_node sfc, const XmlFile& file, const std::string
         if (!macro) return;
         const std::string name = attribute(macro, "name"),
                           place = file.place() + ":" + std::to_string(file.lineOf(macro)) + " (" + unit + ")";
+        expandMacroSteps(descendantOf(macro, "body/SFC"), file, unit,
+                         report); // where it ends may be within another one
         if (Expansion(sfc, macro).run())
             report.add(place, remarks::MacroStepExpanded(name));
         else

@@ -28,6 +28,7 @@ using diagnostics::Kind;
 using Files = std::vector<std::shared_ptr<const syntax::SyntaxFile>>;
 static size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept);
 static void useNamesIn(WorldBuilder& world, SourceRange range);
+static void dropRepeated(std::vector<Reference>& references);
 
 // The types of the program are those of the tree: both are filled here and read by everything behind.
 WorldBuilder::WorldBuilder(const SourceSet& theSources, const Options& theOptions,
@@ -156,6 +157,21 @@ void useNamesIn(WorldBuilder& world, SourceRange range) {
             world.options.usedElsewhere.insert("." + foldCase(text.substr(token.begin, token.end - token.begin)));
 }
 
+/// A block with generic constants is checked for each list of values and says the same of a place each time.
+void dropRepeated(std::vector<Reference>& references) {
+    const auto isSame = [](const Reference& a, const Reference& b) {
+        return a.symbol == b.symbol && a.isRead == b.isRead && a.isWrite == b.isWrite;
+    };
+    size_t kept = 0;
+    for (size_t i = 0; i < references.size(); ++i) {
+        bool isRepeated = false;
+        for (size_t k = kept; k > 0 && !isRepeated && references[k - 1].range == references[i].range; --k)
+            isRepeated = isSame(references[k - 1], references[i]);
+        if (!isRepeated) references[kept++] = references[i];
+    }
+    references.erase(references.begin() + static_cast<std::ptrdiff_t>(kept), references.end());
+}
+
 std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
                                         std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
                                         const Options& options) {
@@ -199,6 +215,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
         return std::tuple(a.range.file, a.range.begin, a.range.end) <
                std::tuple(b.range.file, b.range.begin, b.range.end);
     });
+    dropRepeated(world.references);
     analysis->references = std::move(world.references);
     world.sink.sort();
     analysis->diagnostics = world.sink.take();
