@@ -2,7 +2,9 @@
 
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
-#include "projects/exchange/plcopen_export.h"
+#include "editor/workspace/workspace.h"
+#include "projects/exchange/import.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
 #include <QComboBox>
@@ -132,8 +134,10 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     m_import->setObjectName("import");
 
+    addEncodings();
     auto* form = new QFormLayout;
     form->addRow(tr("From:"), withButtons(m_source, {file, folder}));
+    form->addRow(tr("Encoding:"), m_encoding);
     form->addRow(tr("New project in:"), m_target);
     auto* sides = new QSplitter(this);
     sides->addWidget(m_files);
@@ -152,10 +156,12 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     layout->addWidget(buttons);
     setTabOrder(m_source, file);
     setTabOrder(file, folder);
-    setTabOrder(folder, m_target);
+    setTabOrder(folder, m_encoding);
+    setTabOrder(m_encoding, m_target);
 
     connect(file, &QPushButton::clicked, this, [this] { choose(false); });
     connect(folder, &QPushButton::clicked, this, [this] { choose(true); });
+    connect(m_encoding, &QComboBox::activated, this, &ImportDialog::readAgain);
     connect(m_files, &QTreeWidget::currentItemChanged, this, &ImportDialog::showCurrent);
     connect(m_files, &QTreeWidget::itemChanged, this, &ImportDialog::check);
     connect(m_target, &QLineEdit::textChanged, this, &ImportDialog::check);
@@ -181,6 +187,25 @@ void ImportDialog::choose(bool isFolder) {
     if (!path.isEmpty()) preview(path);
 }
 
+/// Only code pages: Unicode is recognised whatever is chosen.
+void ImportDialog::addEncodings() {
+    m_encoding = new QComboBox(this);
+    m_encoding->setObjectName("encoding");
+    m_encoding->setAccessibleName(tr("Encoding:"));
+    m_encoding->setToolTip(tr("Of files that are not in Unicode and do not say which encoding they are in"));
+    m_encoding->addItem(tr("Recognised"));
+    for (const std::string& name : projects::codePageNames())
+        m_encoding->addItem(QString::fromStdString(name), QString::fromStdString(name));
+}
+
+/// With another encoding; the folder that was chosen stays.
+void ImportDialog::readAgain() {
+    if (m_path.isEmpty()) return;
+    const QString target = m_target->text();
+    preview(m_path);
+    if (!m_projects.empty() && !target.isEmpty()) m_target->setText(target);
+}
+
 void ImportDialog::clear() {
     m_projects.clear();
     m_shown = -1;
@@ -193,11 +218,14 @@ void ImportDialog::clear() {
 
 void ImportDialog::preview(const QString& path) {
     clear();
+    m_path = path;
     m_source->setText(QDir::toNativeSeparators(path));
     std::optional<Result<std::vector<exchange::Imported>>> imported;
+    const auto encoding = projects::encodingNamed(m_encoding->currentData().toString().toStdString());
     kit::LongTask::runAside(tr("Reading %1…").arg(QFileInfo(path).fileName()), this, [&](Progress& progress) {
         exchange::ImportOptions options;
         options.progress = &progress;
+        options.codePage = encoding;
         imported = exchange::importProjects(path.toStdString(), options);
     });
     if (!*imported) return complain(imported->error());

@@ -1,7 +1,7 @@
 // File > Import and File > Export: what would be read or written is shown with its report before anything is. The
 // dialogs live as long as they are open; GUI thread.
 #pragma once
-#include "projects/exchange/imported.h"
+#include "projects/exchange/import.h"
 
 #include <QDialog>
 
@@ -41,6 +41,8 @@ public:
 
 private:
     void choose(bool isFolder);
+    void addEncodings();
+    void readAgain();
     void complain(const Error& error);
     void clear();
     void showProjects();
@@ -51,7 +53,9 @@ private:
     QString m_projectsFolder;
     std::vector<exchange::Imported> m_projects; // none: nothing is shown
     int m_shown = -1;                           // the project whose report is shown
+    QString m_path;                             // that is shown
     QLineEdit *m_source, *m_target;
+    QComboBox* m_encoding;
     QTreeWidget *m_files, *m_notes;
     QPlainTextEdit* m_text;
     QLabel *m_summary, *m_complaint;

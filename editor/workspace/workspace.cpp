@@ -252,10 +252,10 @@ Result<void> Workspace::saveProjectFile(const projects::Project& project) {
 // ------------------------------------------------------------------ changes from outside
 
 bool Workspace::isNewerOnDisk(const QString& file) const {
-    QFile disk(absolutePath(file));
     const auto it = m_files.find(file);
-    return it != m_files.end() && disk.open(QIODevice::ReadOnly) &&
-           projects::decodeText(disk.readAll().toStdString()).text != it->second.onDisk;
+    if (it == m_files.end()) return false;
+    const auto disk = projects::readSourceText(toStd(absolutePath(file)));
+    return disk && disk->text != it->second.onDisk;
 }
 
 void Workspace::lookAtDisk() {
@@ -269,15 +269,14 @@ void Workspace::readDiskChange(const QString& absolute) {
     const QString file = QDir(folder()).relativeFilePath(absolute);
     const auto it = m_files.find(file);
     if (it == m_files.end()) return;
-    QFile disk(absolute);
-    if (!disk.open(QIODevice::ReadOnly)) { // moved away, or about to be replaced by another program
+    const auto read = projects::readSourceText(toStd(absolute));
+    if (!read) { // moved away, or about to be replaced by another program
         readFolderChange();
         return;
     }
     m_watcher.addPath(absolute);
     emit accessChanged(file, isReadOnly(file));
-    const projects::DecodedText read = projects::decodeText(disk.readAll().toStdString());
-    const std::string& now = read.text;
+    const std::string& now = read->text;
     if (now == it->second.onDisk) return;
     const bool editedHere = isModified(file);
     it->second.onDisk = now;
@@ -288,8 +287,7 @@ void Workspace::readDiskChange(const QString& absolute) {
     it->second.text = now;
     emit textReplaced(file);
     emit modificationChanged(file, isModified(file));
-    if (read.encoding == projects::Encoding::Windows1252)
-        emit encodingFound(file, QString::fromUtf8(projects::nameOf(read.encoding).data()));
+    if (read->isGuessed) emit encodingFound(file, QString::fromUtf8(projects::nameOf(read->encoding).data()));
     m_pause.start();
 }
 

@@ -1,12 +1,15 @@
 #include "projects/exchange/file_reader.h"
 
-#include "projects/exchange/addresses.h"
-#include "projects/exchange/assemble.h"
-#include "projects/exchange/own_namespaces.h"
-#include "projects/exchange/plcopen_import.h"
-#include "projects/exchange/text_import.h"
-#include "projects/exchange/tool_types.h"
-#include "projects/exchange/xml.h"
+#include "projects/exchange/base/addresses.h"
+#include "projects/exchange/base/assemble.h"
+#include "projects/exchange/base/c_code.h"
+#include "projects/exchange/base/own_namespaces.h"
+#include "projects/exchange/base/tool_types.h"
+#include "projects/exchange/base/xml.h"
+#include "projects/exchange/codesys/codesys2_import.h"
+#include "projects/exchange/codesys/codesys3_export.h"
+#include "projects/exchange/plcopen/plcopen_import.h"
+#include "projects/exchange/twincat/twincat_import.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
@@ -54,6 +57,16 @@ void setMemoryAside(Imported& out) {
         }
 }
 
+/// Of Beremiz and OpenPLC: one file stays one file.
+void importLooseText(const std::string& text, const std::string& place, const std::string& folder,
+                     const std::string& name, Imported& imported) {
+    std::string kept = text;
+    if (commentOutC(kept)) imported.report.add(place, remarks::CodeSkipped());
+    if (!kept.ends_with('\n')) kept += '\n';
+    ++imported.report.units["file"];
+    addFile(imported, folder, name, std::move(kept));
+}
+
 } // namespace
 
 Result<void> FileReader::readFile(const fs::path& path, const std::string& place, const std::string& folder) {
@@ -63,8 +76,8 @@ Result<void> FileReader::readFile(const fs::path& path, const std::string& place
     if (auto error = refused(*bytes, end, place)) return *error;
     if (looksLikeXml(*bytes)) return readXml(*bytes, place, folder);
     if (end != ".exp" && end != ".st" && end != ".txt") return Error{errors::ImportFileUnknown(), place};
-    const DecodedText text = projects::decodeText(*bytes);
-    noteEncoding(text.encoding, place);
+    const DecodedText text = projects::decodeText(*bytes, m_codePage);
+    noteEncoding(text.encoding, text.isGuessed, place);
     const std::string lines = withUnixLines(text.text);
     if (end == ".exp" || isCodesys2Text(lines))
         importCodesys2Text(lines, place, m_out, m_tasks);
@@ -74,13 +87,14 @@ Result<void> FileReader::readFile(const fs::path& path, const std::string& place
     return {};
 }
 
-void FileReader::noteEncoding(Encoding encoding, const std::string& place) {
-    if (encoding != Encoding::Utf8 && encoding != Encoding::Utf8Bom)
-        m_out.report.add(place, remarks::EncodingRead(std::string(projects::nameOf(encoding))));
+void FileReader::noteEncoding(Encoding encoding, bool isGuessed, const std::string& place) {
+    if (encoding == Encoding::Utf8 || encoding == Encoding::Utf8Bom) return;
+    const std::string name(projects::nameOf(encoding));
+    m_out.report.add(place, isGuessed ? remarks::EncodingGuessed(name) : remarks::EncodingRead(name));
 }
 
 Result<void> FileReader::readXml(const std::string& bytes, const std::string& place, const std::string& folder) {
-    const Result<XmlFile> file = XmlFile::parse(bytes, place);
+    const Result<XmlFile> file = XmlFile::parse(bytes, place, m_codePage);
     if (!file) return file.error();
     if (isPlcopen(*file)) {
         importPlcopen(*file, m_out);
@@ -93,7 +107,7 @@ Result<void> FileReader::readXml(const std::string& bytes, const std::string& pl
     } else {
         return Error{errors::ImportXmlUnknown(), place};
     }
-    noteEncoding(file->encoding(), place);
+    noteEncoding(file->encoding(), file->isEncodingGuessed(), place);
     ++m_out.report.filesRead;
     return {};
 }
@@ -129,7 +143,7 @@ void FileReader::gatherNames(size_t firstFile, int part) {
 
 /// What runs in the project is up to the project: a library's tasks stay out, and its programs where names meet.
 void FileReader::dropProgramsOf(const TreePart& library, size_t firstFile, size_t firstTask) {
-    m_tasks.tasks.resize(firstTask);
+    m_tasks.resize(firstTask);
     std::set<std::string> names;
     for (size_t i = 0; i < firstFile; ++i) names.insert(foldCase(m_out.files[i].name));
     for (size_t i = m_out.files.size(); i-- > firstFile;) {
@@ -152,7 +166,7 @@ Result<void> FileReader::readGroup(const Tree& tree, const TreeGroup& group, Pro
             readProject(part->projectFile, tree.root);
     for (const int index : group) {
         const TreePart* part = partOf(index);
-        const size_t firstFile = m_out.files.size(), firstTask = m_tasks.tasks.size();
+        const size_t firstFile = m_out.files.size(), firstTask = m_tasks.size();
         for (const fs::path& file : part ? part->files : tree.rest) {
             if (!goesOn(progress, static_cast<double>(done++) / static_cast<double>(count)))
                 return Error{errors::Cancelled(), ""};

@@ -1,12 +1,16 @@
 // Reads files of other tools one after the other into one project. One use per project, any thread.
 #pragma once
+#include "projects/exchange/base/tasks.h"
+#include "projects/exchange/base/xml.h"
 #include "projects/exchange/tree.h"
-#include "projects/exchange/twincat_import.h"
 
 namespace plc::exchange {
 
 class FileReader {
 public:
+    /// `codePage`: of files that are neither in Unicode nor say what they are in; without one it is guessed.
+    explicit FileReader(std::optional<Encoding> codePage = {}) : m_codePage(codePage) {}
+
     /// `folder` is where a file without one of its own goes in the project.
     Result<void> readFile(const std::filesystem::path& path, const std::string& place, const std::string& folder);
     /// The files of a group; one that cannot be read is a line of the report. An error: it was cancelled.
@@ -18,7 +22,7 @@ public:
     std::map<std::string, std::set<int>> unitNames;
 
 private:
-    void noteEncoding(Encoding encoding, const std::string& place);
+    void noteEncoding(Encoding encoding, bool isGuessed, const std::string& place);
     Result<void> readXml(const std::string& bytes, const std::string& place, const std::string& folder);
     void readProject(const std::filesystem::path& path, const std::filesystem::path& root);
     void readPart(const std::filesystem::path& file, const Tree& tree, const TreePart* part, bool hasOthers);
@@ -26,7 +30,8 @@ private:
     void gatherNames(size_t firstFile, int part);
 
     Imported m_out;
-    TwinCatProject m_tasks;
+    ForeignTasks m_tasks;
+    std::optional<Encoding> m_codePage;
 };
 
 } // namespace plc::exchange

@@ -1,7 +1,7 @@
 #include "projects/exchange/tree.h"
 
-#include "projects/exchange/text_import.h"
-#include "projects/exchange/xml.h"
+#include "projects/exchange/base/xml.h"
+#include "projects/exchange/twincat/twincat_import.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"

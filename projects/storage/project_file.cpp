@@ -158,10 +158,13 @@ std::vector<std::string> readCompanions(const std::string& folder) {
 
 namespace {
 
-/// What decides where things are in the image.
-Result<void> readLayoutSettings(Project& project, const std::string& file) {
+/// How sources are read, and what decides where things are in the image.
+Result<void> readSourceSettings(Project& project, const std::string& file) {
     const std::string addressing = stringField(project.json, "addressing", "byte");
     if (addressing != "byte" && addressing != "word") return Error{errors::AddressingUnknown(addressing), file};
+    if (project.json.contains("encoding"))
+        if (const auto encoding = parseCodePage(stringField(project.json, "encoding")); !encoding)
+            return Error{encoding.error().message, file};
     project.addressing = addressing == "word" ? image::Addressing::Words : image::Addressing::Bytes;
     if (!project.json.contains("memoryForNew")) return {};
     const Json& memory = project.json["memoryForNew"];
@@ -195,7 +198,7 @@ Result<Project> openFolder(const fs::path& folder) {
     project.name = stringField(json, "name", project.name);
     project.libraries = listField(json, "libraries");
     project.defines = listField(json, "defines");
-    if (auto done = readLayoutSettings(project, file.string()); !done) return done.error();
+    if (auto done = readSourceSettings(project, file.string()); !done) return done.error();
     for (std::string& library : project.libraries) {
         library = foldCase(library);
         const auto known = driver::libraryNames();
@@ -255,10 +258,35 @@ Result<Project> openProject(const std::vector<std::string>& paths) {
     return project;
 }
 
+namespace {
+
+/// What "encoding" in the project.json above a file says; nothing without one.
+std::optional<Encoding> codePageOfProject(const std::string& path) {
+    std::error_code ignored;
+    for (fs::path folder = fs::absolute(path, ignored).parent_path();; folder = folder.parent_path()) {
+        const fs::path file = folder / "project.json";
+        if (!fs::is_regular_file(file, ignored)) {
+            if (folder == folder.parent_path()) return std::nullopt;
+            continue;
+        }
+        const auto text = readFile(file.string());
+        if (!text) return std::nullopt;
+        const JsonText<Json> json = readJson<Json>(*text);
+        if (!json.isGood() || !json.value.is_object()) return std::nullopt;
+        const auto encoding = parseCodePage(stringField(json.value, "encoding"));
+        return encoding ? std::optional(*encoding) : std::nullopt;
+    }
+}
+
+} // namespace
+
 Result<DecodedText> readSourceText(const std::string& path) {
     const auto bytes = readFile(path);
     if (!bytes) return bytes.error();
-    return decodeText(*bytes);
+    DecodedText text = decodeText(*bytes);
+    if (!text.isGuessed) return text;
+    const auto chosen = codePageOfProject(path);
+    return chosen ? decodeText(*bytes, chosen) : text;
 }
 
 Result<void> writeSourceText(const std::string& path, std::string_view utf8, std::optional<Encoding> wanted) {

@@ -12,7 +12,7 @@ namespace plc::projects {
 /// The texts of panels, alarms, operator texts and traces as they are on disk now (Project::companions).
 [[nodiscard]] std::vector<std::string> readCompanions(const std::string& folder);
 [[nodiscard]] Result<std::string> readFile(const std::string& path);
-/// A source as UTF-8, whatever of UTF-8, UTF-16 and Windows-1252 it is written in.
+/// A source as UTF-8, whatever it is written in; of code pages the one that "encoding" in project.json names.
 [[nodiscard]] Result<DecodedText> readSourceText(const std::string& path);
 /// Writes a source in the encoding that the file has now (UTF-8 for a new one), or in `wanted`.
 Result<void> writeSourceText(const std::string& path, std::string_view utf8, std::optional<Encoding> wanted = {});

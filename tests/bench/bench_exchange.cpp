@@ -1,6 +1,6 @@
 // A TwinCAT tree of the wanted size (60,000 lines if nothing is said): read, turned into a project, checked.
-#include "projects/exchange/assemble.h"
-#include "projects/exchange/imported.h"
+#include "projects/exchange/base/assemble.h"
+#include "projects/exchange/import.h"
 #include "tests/bench/program_generator.h"
 
 #include <algorithm>

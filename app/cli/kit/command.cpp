@@ -2,7 +2,7 @@
 
 #include "app/cli/kit/errors.h"
 #include "editor/kit/theme.h"
-#include "projects/exchange/imported.h"
+#include "projects/exchange/import.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
 #include "runtime/platform/streams.h"

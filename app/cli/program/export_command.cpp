@@ -1,7 +1,7 @@
 #include "app/cli/program/commands.h"
 
 #include "app/cli/kit/errors.h"
-#include "projects/exchange/plcopen_export.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "app/cli/program/commands.h"
 
 #include "app/cli/kit/errors.h"
-#include "projects/exchange/imported.h"
+#include "projects/exchange/import.h"
 
 #include <iostream>
 
@@ -52,6 +52,11 @@ int importProject(const Arguments& arguments) {
     exchange::ImportOptions options;
     if (arguments.has("--together")) options.division = exchange::TreeDivision::Together;
     options.only = arguments.value("--project").value_or("");
+    if (const auto name = arguments.value("--encoding")) {
+        const auto encoding = projects::parseCodePage(*name);
+        if (!encoding) return wrongUse(encoding.error());
+        options.codePage = *encoding;
+    }
     const auto imported = [&] {
         const Busy busy("importing " + arguments.paths().front());
         return exchange::importProjects(arguments.paths().front(), options);
@@ -73,6 +78,8 @@ Command importCommand() {
              {{"--to", "PROJECT", "the folder of the new project; it must not exist or must be empty"},
               {"--project", "NAME", "only this one of several projects in a folder, with the libraries it uses"},
               {"--together", "", "one project of all, even where units of equal names meet"},
+              {"--encoding", "NAME",
+               "of files that do not say theirs: Windows-1251, Windows-1250 …; otherwise it is guessed"},
               {"--preview", "", "write nothing, only report"},
               {"--format", "text|json", "text (default), or an object with the figures and a list of notes"}},
              "stepwise import plc.xml --to machine"},

@@ -221,6 +221,22 @@ void Parser::parseModifiers(Access& access, bool* isAbstract, bool* isFinal, boo
     }
 }
 
+/// EXTENDS Base, Base<100> of a block, or several interfaces.
+void Parser::parseBases(Pou& pou) {
+    advance();
+    do {
+        const size_t first = mark();
+        pou.extends.push_back(takePath());
+        if (!at(TokenKind::Less)) continue;
+        TypeSpec* spec = make<TypeSpec>();
+        spec->kind = TypeSpecKind::Named;
+        spec->path = pou.extends.back();
+        parseGenericValues(*spec);
+        spec->range = rangeFrom(first);
+        if (pou.kind == PouKind::FunctionBlock) pou.result = spec;
+    } while (take(TokenKind::Comma));
+}
+
 /// From the first word of the unit: pragmas, comment, name, result, EXTENDS, IMPLEMENTS.
 void Parser::parsePouHeader(Pou& pou) {
     const size_t first = mark();
@@ -245,7 +261,8 @@ void Parser::parsePouHeader(Pou& pou) {
         do out.push_back(takePath());
         while (take(TokenKind::Comma));
     };
-    if (at(SoftWord::Extends)) paths(pou.extends);
+    while (atGenericSection()) pou.sections.push_back(parseVarSection()); // CODESYS writes them here
+    if (at(SoftWord::Extends)) parseBases(pou);
     if (at(SoftWord::Implements)) paths(pou.implements);
     take(TokenKind::Semicolon);
     while (at(SoftWord::Using) && kind(1) == TokenKind::Identifier) {

@@ -96,6 +96,8 @@ public:
     TypeSpec* parseStructSpec(TypeSpecKind kind);
     TypeSpec* parseStringSpec();
     TypeSpec* parseNamedSpec(bool inTypeBlock);
+    void parseGenericValues(TypeSpec& spec);
+    void parseBases(Pou& pou);
     void parseEnumerators(TypeSpec& spec);
 
     // variables.cpp
@@ -104,6 +106,7 @@ public:
     VarDecl* parseConfigDecl(SectionKind section);
     Expr* parseInitialiser(const TypeSpec* type);
     bool atVarSection() const;
+    bool atGenericSection() const;
 
     // expressions.cpp
     Expr* parseExpression();

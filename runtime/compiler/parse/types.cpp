@@ -169,11 +169,24 @@ TypeSpec* Parser::parseStringSpec() {
     return spec;
 }
 
+/// <100> or <2 * cCount, 3> behind the name of a block with VAR_GENERIC CONSTANT.
+void Parser::parseGenericValues(TypeSpec& spec) {
+    const int sum = lex::precedenceOf(TokenKind::Plus); // a comparison would take the closing >
+    advance();
+    do {
+        Bounds value;
+        value.low = parseBinary(sum);
+        spec.bounds.push_back(value);
+    } while (take(TokenKind::Comma));
+    expect(TokenKind::Greater);
+}
+
 TypeSpec* Parser::parseNamedSpec(bool inTypeBlock) {
     TypeSpec* spec = make<TypeSpec>();
     spec->kind = TypeSpecKind::Named;
     const size_t first = mark();
     spec->path = takePath();
+    if (at(TokenKind::Less)) parseGenericValues(*spec);
     if (at(TokenKind::LeftBracket) &&
         kind(1) == TokenKind::LeftParen) { // ARRAY … OF Motor[(number := 1), (number := 2)]
         advance();

@@ -77,8 +77,15 @@ bool Parser::atVarSection() const {
     case TokenKind::VarConfig:
         return true;
     default:
-        return false;
+        return atGenericSection();
     }
+}
+
+/// VAR_GENERIC CONSTANT of CODESYS, constants whose values each declaration of an instance gives: Buffer<100>. A name
+/// anywhere else.
+bool Parser::atGenericSection() const {
+    return at(TokenKind::Identifier) && kind(1) == TokenKind::Identifier && isWord(textOf(peek()), "VAR_GENERIC") &&
+           peek(1).soft == SoftWord::Constant;
 }
 
 /// CONSTANT, RETAIN, …; a variable may have such a name.
@@ -120,6 +127,7 @@ VarSection* Parser::parseVarSection() {
     const size_t first = mark();
     const Token opening = peek();
     section->kind = sectionOf(kind());
+    if (atGenericSection()) section->pragmas.push_back({rangeOf(peek()), textOf(peek()), "VAR_GENERIC", {}, false});
     advance();
     parseQualifiers(*section);
     while (!at(TokenKind::EndVar)) {

@@ -68,6 +68,15 @@ TEST_F(ExchangeCommands, WrongUseIsNamed) {
     EXPECT_FALSE(std::filesystem::exists(path("o.xml")));
 }
 
+TEST_F(ExchangeCommands, TheEncodingOfAnImportIsChosenByName) {
+    write("p.st", "PROGRAM P // \xB3\nEND_PROGRAM\n");
+    EXPECT_EQ(command({"import", path("p.st"), "--encoding", "Martian", "--to", path("out")}), cli::kWrongUse);
+    EXPECT_NE(err.find("The encoding Martian is not known; choose one of Windows-1252"), std::string::npos) << err;
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+    EXPECT_EQ(command({"import", path("p.st"), "--encoding", "cp1250", "--to", path("out")}), cli::kGood) << err;
+    EXPECT_NE(read("out/src/p.st").find("// \xC5\x82"), std::string::npos);
+}
+
 TEST_F(ExchangeCommands, TheEncodingOfASourceIsKeptUnlessUtf8IsAsked) {
     write("p.st", "PROGRAM P // \xE9\nVAR\nn:INT;\nEND_VAR\nn:=1;\nEND_PROGRAM\n");
     EXPECT_EQ(command({"check", path("p.st")}), cli::kGood) << err;

@@ -50,6 +50,47 @@ TEST_F(ChartImport, StepsAndTransitionsInARowWithAJumpBack) {
     EXPECT_EQ(imported.side["units"]["Main"]["positions"]["Run"].dump(), "[10,20]");
 }
 
+std::string macro(const std::string& id, const std::string& name, std::initializer_list<const char*> from,
+                  const std::string& elements) {
+    return "<macroStep localId=\"" + id + "\" name=\"" + name + "\"><position x=\"0\" y=\"0\"/>" + in(from) +
+           "<connectionPointOut formalParameter=\"\"/><body><SFC>" + elements + "</SFC></body></macroStep>";
+}
+
+TEST_F(ChartImport, AMacroStepBecomesTheStepsItHolds) {
+    // "Run" is the name of a step outside, too; the jump at the end leads to the macro step
+    const std::string inner =
+        step("1", "Begin", {}, "initialStep=\"true\"") + transition("2", "b", {"1"}) + step("3", "Run", {"2"});
+    EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + transition("2", "a", {"1"}) +
+                        macro("3", "M", {"2"}, inner) + transition("4", "NOT a", {"3"}) + step("5", "Run", {"4"}) +
+                        transition("6", "a AND b", {"5"}) + jump("7", "M", {"6"}),
+                    bools({"a", "b"})),
+              "INITIAL_STEP Init:\nEND_STEP\nTRANSITION FROM Init TO Begin := a; END_TRANSITION\nSTEP "
+              "Begin:\nEND_STEP\nTRANSITION FROM Begin TO M_Run := b; END_TRANSITION\nSTEP M_Run:\nEND_STEP\n"
+              "TRANSITION FROM M_Run TO Run := NOT a; END_TRANSITION\nSTEP Run:\nEND_STEP\nTRANSITION FROM Run TO "
+              "Begin := a AND b; END_TRANSITION\n");
+    ASSERT_EQ(imported.report.notes.size(), 1u) << imported.report.toText();
+    EXPECT_EQ(imported.report.notes[0].kind, NoteKind::MacroStepExpanded);
+}
+
+TEST_F(ChartImport, MacroStepsHoldMacroStepsAndActionsAndMayBeEmpty) {
+    const std::string block = "<actionBlock localId=\"4\"><position x=\"0\" y=\"0\"/>" + in({"1"}) +
+                              "<action localId=\"5\" qualifier=\"N\"><reference name=\"q\"/></action></actionBlock>";
+    const std::string deep = step("1", "Deep", {}) + block;
+    const std::string inner = step("1", "Begin", {}) + transition("2", "a", {"1"}) + macro("3", "Inner", {"2"}, deep);
+    EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + transition("2", "a", {"1"}) +
+                        macro("3", "Outer", {"2"}, inner) + transition("4", "NOT a", {"3"}) + jump("5", "Init", {"4"}),
+                    bools({"a", "q"})),
+              "INITIAL_STEP Init:\nEND_STEP\nTRANSITION FROM Init TO Begin := a; END_TRANSITION\nSTEP "
+              "Begin:\nEND_STEP\nTRANSITION FROM Begin TO Deep := a; END_TRANSITION\nSTEP Deep:\n    q(N);\nEND_STEP\n"
+              "TRANSITION FROM Deep TO Init := NOT a; END_TRANSITION\n");
+    imported = import(document(pou("Main", "program", bools({"a"}),
+                                   "<SFC>" + step("1", "Init", {}, "initialStep=\"true\"") +
+                                       transition("2", "a", {"1"}) + macro("3", "Empty", {"2"}, "") + "</SFC>")));
+    EXPECT_GE(imported.report.losses(), 1u);
+    EXPECT_NE(imported.report.toText().find("The element macroStep Empty was not read"), std::string::npos)
+        << imported.report.toText();
+}
+
 TEST_F(ChartImport, AlternativesDivergeAndConverge) {
     EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + node("selectionDivergence", "2", {"1"}) +
                         transition("3", "a", {"2"}) + step("4", "L", {"3"}) + transition("5", "b", {"2"}) +

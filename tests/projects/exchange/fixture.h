@@ -1,7 +1,7 @@
 // What the tests of import and export share: small documents of PLCopen XML around the part that a test is about, a
 // folder of its own, and the texts that an import gives.
 #pragma once
-#include "projects/exchange/imported.h"
+#include "projects/exchange/import.h"
 #include "runtime/compiler/driver/driver.h"
 
 #include <gtest/gtest.h>

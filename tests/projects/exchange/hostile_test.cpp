@@ -1,7 +1,7 @@
 // Files that mean harm or are broken: each kind ends with an error or a line of the report, in bounded time.
 #include "fixture.h"
 
-#include "projects/exchange/xml.h"
+#include "projects/exchange/base/xml.h"
 
 namespace plc::exchange {
 namespace {
@@ -70,10 +70,10 @@ TEST_F(Hostile, DepthIsRefusedWithItsLine) {
 TEST_F(Hostile, SizeIsRefusedBeforeItIsRead) {
     XmlLimits small;
     small.bytes = 1000;
-    const auto file = XmlFile::parse("<project>" + std::string(2000, ' ') + "</project>", "big.xml", small);
+    const auto file = XmlFile::parse("<project>" + std::string(2000, ' ') + "</project>", "big.xml", {}, small);
     ASSERT_FALSE(file);
     EXPECT_NE(file.error().english().find("big.xml"), std::string::npos) << file.error().english();
-    EXPECT_TRUE(XmlFile::parse("<project/>", "small.xml", small));
+    EXPECT_TRUE(XmlFile::parse("<project/>", "small.xml", {}, small));
 }
 
 TEST_F(Hostile, EncodingsThatAreNotWhatTheySayAreErrorsOrNotes) {

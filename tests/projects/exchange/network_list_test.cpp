@@ -1,7 +1,7 @@
 // LD and FBD of TwinCAT: the archive of networks becomes a diagram of PLCopen and its text.
 #include "fixture.h"
 
-#include "projects/exchange/plcopen_export.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
 namespace plc::exchange {

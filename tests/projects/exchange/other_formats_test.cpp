@@ -2,8 +2,12 @@
 // and back as they were.
 #include "fixture.h"
 
-#include "projects/exchange/plcopen_export.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/controller/controller.h"
+
+#include <set>
 
 namespace plc::exchange {
 namespace {
@@ -262,6 +266,116 @@ TEST_F(OtherFormats, SourcesOfEveryEncodingAreReadAndWrittenBackAsFound) {
     EXPECT_EQ(read(path("w.st")), "// \xE9\n");
 }
 
+namespace {
+
+const std::string kCyrillic =
+    "PROGRAM P\n// \u041F\u0443\u0441\u043A \u043D\u0430\u0441\u043E\u0441\u0430, "
+    "\u043E\u0442\u043A\u0440\u044B\u0442\u044C \u043A\u043B\u0430\u043F\u0430\u043D\nEND_PROGRAM\n";
+
+std::string bytesOf(const std::string& text, projects::Encoding encoding) {
+    const auto bytes = projects::encodeText(text, encoding);
+    EXPECT_TRUE(bytes) << projects::nameOf(encoding) << ": " << bytes.error().english();
+    return bytes ? *bytes : std::string();
+}
+
+/// The first note of that kind; empty without one.
+std::string noteOf(const Imported& imported, NoteKind kind) {
+    for (const Note& note : imported.report.notes)
+        if (note.kind == kind) return note.message.english();
+    return {};
+}
+
+} // namespace
+
+TEST_F(OtherFormats, CyrillicTextIsToldFromWesternGreekAndChineseOne) {
+    using projects::Encoding;
+    const auto guessOf = [](const std::string& bytes) { return projects::decodeText(bytes).encoding; };
+    EXPECT_EQ(guessOf(bytesOf(kCyrillic, Encoding::Windows1251)), Encoding::Windows1251);
+    EXPECT_EQ(projects::decodeText(bytesOf(kCyrillic, Encoding::Windows1251)).text, kCyrillic);
+    EXPECT_EQ(guessOf(bytesOf("// gr\u00F6\u00DFer, \u00C4\u00D6\u00DC, d\u00E9j\u00E0 vu\n", Encoding::Windows1252)),
+              Encoding::Windows1252);
+    EXPECT_EQ(guessOf(bytesOf("// \u03B1\u03BD\u03C4\u03BB\u03AF\u03B1 \u03BD\u03B5\u03C1\u03BF\u03CD\n",
+                              Encoding::Windows1253)),
+              Encoding::Windows1252);
+    EXPECT_EQ(guessOf("// \xC6\xF4\xB6\xAF\xCB\xAE\xB1\xC3\xA3\xAC\xB4\xF2\xBF\xAA\xB7\xA7\n"),
+              Encoding::Windows1252); // GBK
+    EXPECT_EQ(guessOf("// vitesse \xE0 vide, \xE0 charge, \xE0 l'arr\xEAt\n"), Encoding::Windows1252);
+    EXPECT_EQ(guessOf(kCyrillic), Encoding::Utf8);
+}
+
+TEST_F(OtherFormats, EveryCodePageGoesOutAsItCame) {
+    std::string bytes = "// ";
+    for (int byte = 0x80; byte <= 0xFF; ++byte) bytes += static_cast<char>(byte);
+    std::set<std::string> texts;
+    for (const std::string& name : projects::codePageNames()) {
+        const auto encoding = projects::encodingNamed(name);
+        ASSERT_TRUE(encoding) << name;
+        const projects::DecodedText text = projects::decodeText(bytes, encoding);
+        EXPECT_EQ(text.encoding, *encoding);
+        EXPECT_FALSE(text.isGuessed);
+        EXPECT_EQ(bytesOf(text.text, *encoding), bytes) << name;
+        EXPECT_TRUE(texts.insert(text.text).second) << name << " is another one";
+    }
+    EXPECT_EQ(projects::encodingNamed("CP1251"), projects::Encoding::Windows1251);
+    EXPECT_FALSE(projects::encodingNamed("Shift-JIS"));
+    EXPECT_FALSE(projects::encodingNamed(""));
+}
+
+TEST_F(OtherFormats, ACodePageIsGuessedWithALineOrChosen) {
+    write("t/p.st", bytesOf(kCyrillic, projects::Encoding::Windows1251));
+    const Imported guessed = folder("t");
+    EXPECT_EQ(fileOf(guessed, "src/p.st"), kCyrillic);
+    EXPECT_NE(noteOf(guessed, NoteKind::EncodingGuessed).find("was read as Windows-1251"), std::string::npos);
+
+    const std::string polish = "PROGRAM P\n// za\u017C\u00F3\u0142\u0107 g\u0119\u015Bl\u0105\nEND_PROGRAM\n";
+    write("t/p.st", bytesOf(polish, projects::Encoding::Windows1250));
+    ImportOptions options;
+    options.codePage = projects::Encoding::Windows1250;
+    const auto chosen = importProjects(path("t"), options);
+    ASSERT_TRUE(chosen) << chosen.error().english();
+    EXPECT_EQ(fileOf(chosen->front(), "src/p.st"), polish);
+    EXPECT_EQ(noteOf(chosen->front(), NoteKind::EncodingRead), "The file is written in Windows-1250");
+    const auto alone = importProjects(path("t/p.st"), options);
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(fileOf(alone->front(), "src/p.st"), polish);
+}
+
+TEST_F(OtherFormats, XmlIsReadInTheCodePageThatItDeclares) {
+    std::string document =
+        ExchangeTest::document(pou("Main", "program", "", st("; // \u043D\u0430\u0441\u043E\u0441")));
+    document.replace(document.find("utf-8"), 5, "koi8-r");
+    ImportOptions options;
+    options.codePage = projects::Encoding::Windows1250; // the file knows better
+    const auto imported = importProjects(write("k.xml", bytesOf(document, projects::Encoding::Koi8R)), options);
+    ASSERT_TRUE(imported) << imported.error().english();
+    EXPECT_NE(fileOf(imported->front(), "src/Main.st").find("\u043D\u0430\u0441\u043E\u0441"), std::string::npos);
+    EXPECT_EQ(noteOf(imported->front(), NoteKind::EncodingRead), "The file is written in KOI8-R");
+}
+
+TEST_F(OtherFormats, AProjectSaysItsCodePage) {
+    const std::string polish = "PROGRAM P\n// za\u017C\u00F3\u0142\u0107\nEND_PROGRAM\n";
+    const std::string bytes = bytesOf(polish, projects::Encoding::Windows1250);
+    write("c/project.json", "{\"encoding\": \"windows-1250\"}");
+    const std::string file = write("c/src/deep/p.st", bytes);
+    const auto project = projects::openProject({path("c")});
+    ASSERT_TRUE(project) << project.error().english();
+    EXPECT_EQ(project->sources.at(0).text, polish);
+    ASSERT_TRUE(projects::writeSourceText(file, polish + "// \u0141\n"));
+    EXPECT_EQ(read(file), bytesOf(polish + "// \u0141\n", projects::Encoding::Windows1250));
+    const auto refused = projects::writeSourceText(file, "// \u043D\n");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().english().find("Windows-1250 does not have the character \u043D"), std::string::npos)
+        << refused.error().english();
+    EXPECT_EQ(read(file), bytesOf(polish + "// \u0141\n", projects::Encoding::Windows1250));
+
+    write("c/project.json", "{\"encoding\": \"Martian\"}");
+    const auto wrong = projects::openProject({path("c")});
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().english().find("The encoding Martian is not known; choose one of Windows-1252"),
+              std::string::npos)
+        << wrong.error().english();
+}
+
 TEST_F(OtherFormats, XmlIsNeverReadAsStructuredText) {
     write("x.st", "<?xml version=\"1.0\"?><TcPlcObject/>");
     const auto project = projects::openProject({path("x.st")});
@@ -384,6 +498,17 @@ TEST_F(OtherFormats, ChartsOfCodesys2AreTextWithTheirActions) {
     EXPECT_NE(text.find("END_ACTION\nEND_PROGRAM"), std::string::npos) << text;
 }
 
+TEST_F(OtherFormats, ADrawnChartOfCodesys2KeepsItsDeclarationWithALine) {
+    const Imported imported =
+        folder(write("drawn.EXP", exportUnit("PROGRAM Drawn", "\tn : INT;\n", "_SFC_BODY\n_STEP\nInit\n_END_STEP\n",
+                                             "END_PROGRAM")));
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_NE(fileOf(imported, "src/Drawn.st").find("n : INT;"), std::string::npos);
+    EXPECT_EQ(imported.report.bodies.count("SFC"), 1u);
+    ASSERT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+    EXPECT_FALSE(imported.side["units"]["Drawn"]["archive"].empty());
+}
+
 TEST_F(OtherFormats, AddressesAreCountedAsTheToolDoesAndGoOutInWords) {
     const Imported imported = folder(write(
         "words.EXP", "(* @NESTEDCOMMENTS := 'Yes' *)\n(* @PATH := '' *)\nPROGRAM Words\nVAR\n\ta AT %MW1 : WORD;\n"
@@ -408,6 +533,77 @@ TEST_F(OtherFormats, AddressesAreCountedAsTheToolDoesAndGoOutInWords) {
     EXPECT_NE(exported->text.find("address=\"%MW2\""), std::string::npos);
     EXPECT_NE(exported->report.toText().find("p.st:4: not kept: The address %MW7"), std::string::npos)
         << exported->report.toText();
+}
+
+TEST_F(OtherFormats, MessagesToTheLogOfTwinCatAreLinesThatCanBeRead) {
+    write("log/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n first, second : STRING(255);\n"
+                                      " severity : TcEventSeverity := TcEventSeverity.Warning;\nEND_VAR\n") +
+                 st("ADSLOGSTR(ADSLOG_MSGTYPE_HINT, 'name %s!', 'pump');\n"
+                    "ADSLOGDINT(ADSLOG_MSGTYPE_ERROR OR ADSLOG_MSGTYPE_LOG, 'code %d', 12);\n"
+                    "first := AdsLog.adsLogLines[2];\nsecond := AdsLog.adsLogLines[1];") +
+                 "</POU>"));
+    const Imported imported = folder("log");
+    EXPECT_EQ(errorsOf(imported), "");
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
+    const driver::Built built = driver::build(toProject(imported).buildInput());
+    ASSERT_TRUE(built.program);
+    controller::Controller controller(built.program);
+    controller.start();
+    ASSERT_TRUE(controller.scan());
+    const auto textOf = [&](const std::string& name) {
+        const auto value = controller.read("MAIN." + name);
+        const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
+        return text ? *text : std::string("no text");
+    };
+    EXPECT_EQ(textOf("first"), "name pump!");
+    EXPECT_EQ(textOf("second"), "code 12");
+}
+
+TEST_F(OtherFormats, TextsWithValuesAreFormattedAsTwinCatDoes) {
+    write("fmt/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n a, b, c : FB_FormatString;\nEND_VAR\n") +
+                 st("a(sFormat := 'n=%d|%05d|%-5d|%5d|%x|%04X|100%%|%s|%.2s', arg1 := F_INT(-7), arg2 := F_DINT(-42), "
+                    "arg3 := F_UINT(3), arg4 := F_LINT(4), arg5 := F_BYTE(255), arg6 := F_WORD(171), "
+                    "arg7 := F_STRING('abc'), arg8 := F_STRING('xyz'));\n"
+                    "b(sFormat := '%f %.1f %6.2f %.0f %f', arg1 := F_REAL(1.5), arg2 := F_LREAL(-0.96), "
+                    "arg3 := F_LREAL(3.14159), arg4 := F_LREAL(2.5), arg5 := F_LREAL(0.999999999));\n"
+                    "c(sFormat := '%d %u', arg1 := F_BOOL(TRUE));") +
+                 "</POU>"));
+    const Imported imported = folder("fmt");
+    EXPECT_EQ(errorsOf(imported), "");
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
+    const driver::Built built = driver::build(toProject(imported).buildInput());
+    ASSERT_TRUE(built.program);
+    controller::Controller controller(built.program);
+    controller.start();
+    ASSERT_TRUE(controller.scan());
+    const auto textOf = [&](const std::string& name) {
+        const auto value = controller.read("MAIN." + name);
+        const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
+        return text ? *text : std::string("no text");
+    };
+    EXPECT_EQ(textOf("a.sOut"), "n=-7|-0042|3    |    4|ff|00AB|100%|abc|xy");
+    EXPECT_EQ(textOf("b.sOut"), "1.500000 -1.0   3.14 3 1.000000");
+    EXPECT_EQ(textOf("c.sOut"), "1 0");
+    EXPECT_EQ(controller.read("MAIN.c.bError")->integer(), 1); // the second value is missing
+}
+
+TEST_F(OtherFormats, WhatALibraryOfDevicesWouldDoIsNamedWithTheLibrary) {
+    write("lib/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n axis : AXIS_REF;\n move : MC_MoveAbsolute;\n"
+                                      " own : MC_Reset;\n file : FB_FileOpen;\nEND_VAR\n") +
+                 st("move(Axis := axis);") + "</POU>"));
+    write("lib/MC_Reset.TcPOU",
+          object("<POU Name=\"MC_Reset\">" + cdata("Declaration", "FUNCTION_BLOCK MC_Reset\n") + st(";") + "</POU>"));
+    const Imported imported = folder("lib");
+    EXPECT_NE(imported.report.toText().find("The program uses AXIS_REF, MC_MoveAbsolute of the library Tc2_MC2"),
+              std::string::npos)
+        << imported.report.toText();
+    EXPECT_NE(imported.report.toText().find("FB_FileOpen of the library Tc2_System"), std::string::npos);
 }
 
 TEST_F(OtherFormats, AddressingThatIsNeitherIsRefused) {

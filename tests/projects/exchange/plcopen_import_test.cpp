@@ -2,7 +2,7 @@
 // XML that means harm.
 #include "fixture.h"
 
-#include "projects/exchange/plcopen_configuration.h"
+#include "projects/exchange/base/durations.h"
 
 namespace plc::exchange {
 namespace {
@@ -309,7 +309,7 @@ TEST_F(PlcopenImport, OtherEncodingsAreReadWithANote) {
     const Imported latin = import(document);
     EXPECT_NE(fileOf(latin, "src/Main.st").find("// \xC3\xA9"), std::string::npos);
     ASSERT_EQ(latin.report.notes.size(), 1u);
-    EXPECT_EQ(latin.report.notes[0].kind, NoteKind::EncodingRead);
+    EXPECT_EQ(latin.report.notes[0].kind, NoteKind::EncodingGuessed); // it says UTF-8
     std::string wide = "\xFF\xFE";
     for (const char c : this->document(pou("Main", "program", "", st("// e")))) wide += c, wide += '\0';
     EXPECT_NE(fileOf(import(wide), "src/Main.st").find("// e"), std::string::npos);

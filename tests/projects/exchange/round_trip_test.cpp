@@ -2,7 +2,7 @@
 // scans bit for bit after a journey, and what the format has no place for has its line.
 #include "fixture.h"
 
-#include "projects/exchange/plcopen_export.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"

@@ -31,16 +31,34 @@ bool isInFrame(const tree::Place& place, const tree::Function& function) {
     while (root->base) root = root->base;
     return root->kind == tree::PlaceKind::Local && root->local < function.locals.size();
 }
+
+bool isAction(const Denoted& denoted) {
+    return denoted.kind == Denoted::Kind::Unit && denoted.unit->kind == UnitKind::Action;
+}
+
+void evaluateAction(Context& context, const Denoted& action, SourceRange call, SourceRange statement,
+                    std::vector<tree::Stmt*>& out) {
+    tree::Expr* made = context.arena.make<tree::Expr>();
+    made->kind = tree::ExprKind::Call;
+    made->type = context.elementary(TypeKind::Void);
+    made->range = call;
+    made->call = context.arena.make<tree::Call>();
+    prepareCall(context, *made->call, action, call);
+    tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, statement);
+    evaluate->a = made;
+    out.push_back(evaluate);
+}
+
 } // namespace
 
 /// A call as a statement: an instance, an action, a function for its effects.
-///   ok:    t(IN := TRUE); SetUp();      wrong: x();  with x : INT (P2008)
+///   ok:    t(IN := TRUE); SetUp(); SetUp;      wrong: x();  with x : INT (P2008)
 ///   advice: SIN(r);  (P2033)
 void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     const syntax::Expr& e = *stmt.value;
-    // Without parentheses it is no call. What is meant is worth finding out: "SetUp;" comes from other languages, "x;"
-    // from a statement that was not finished.
+    // Without parentheses it is a call of an action only, as CODESYS 2.3 writes it. What else is meant is worth finding
+    // out: "Compute;" comes from other languages, "x;" from a statement that was not finished.
     if (e.kind != syntax::ExprKind::Call) {
         if (e.kind == syntax::ExprKind::Error) return;
         if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member ||
@@ -49,6 +67,7 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
             // A half-typed statement has been reported by the parser; a second message at the same place would only be
             // noise.
             if (denoted.kind == Denoted::Kind::Nothing || hasSyntaxErrorAt(context.world, stmt.range)) return;
+            if (isAction(denoted)) return evaluateAction(context, denoted, e.range, stmt.range, out);
             const bool callable =
                 denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard ||
                 (denoted.kind == Denoted::Kind::Place && context.isKind(denoted.place->type, TypeKind::Block));
@@ -89,19 +108,14 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
         return;
     }
     Operand value;
-    if (callee.kind == Denoted::Kind::Unit && callee.unit->kind == UnitKind::Action) {
-        tree::Expr* made = context.arena.make<tree::Expr>();
-        made->kind = tree::ExprKind::Call;
-        made->type = context.elementary(TypeKind::Void);
-        made->range = e.range;
-        made->call = context.arena.make<tree::Call>();
-        prepareCall(context, *made->call, callee, e.range);
+    if (isAction(callee)) {
         // Actions have no parameters of their own (edition 2, 2.6.4): they work on those of their unit.
         if (!e.arguments.empty())
             context.emit(e.arguments.front().range, findings::TooManyArguments(callee.unit->name, 0));
-        value = {made, &context.types};
-    } else if (callee.kind == Denoted::Kind::Unit &&
-               (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
+        return evaluateAction(context, callee, e.range, stmt.range, out);
+    }
+    if (callee.kind == Denoted::Kind::Unit &&
+        (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
         value = callUnit(context, callee, e);
         // Methods are often called for their effect and give a result beside it; only functions are asked about.
         if (value.expr && !value.isUnknown() && !context.isKind(value.type(), TypeKind::Void) &&

@@ -150,7 +150,8 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
     return constant(context, {context.elementary(TypeKind::Lint), int64_t(context.types[type].size)}, e.range, true);
 }
 
-/// ADR('text'), as programs for CODESYS give texts to functions that take addresses: valid until the unit ends.
+/// ADR('text'), as programs for CODESYS give texts to functions that take addresses, and ADR of a constant without a
+/// place: valid until the unit ends.
 Operand addressOfLiteral(Context& context, const syntax::Expr& argument, SourceRange range) {
     std::vector<tree::Stmt*> before;
     tree::Place* place = placeOfArgument(context, argument, before);
@@ -176,6 +177,9 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
         return withEnable(context, addressOfLiteral(context, argument, e.range), arguments, e.range);
     const Denoted denoted = denote(context, argument, Access::Address);
     if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
+    // A value of an enumeration, a constant of another block: nothing of it is stored.
+    if (!isReference && isInBody && denoted.kind == Denoted::Kind::Value && denoted.value.isConstant())
+        return withEnable(context, addressOfLiteral(context, argument, e.range), arguments, e.range);
     if (denoted.kind != Denoted::Kind::Place) {
         context.emit(argument.range, findings::TemporaryReference());
         return unknown(context, e.range);

@@ -73,6 +73,39 @@ void makeStatic(Variable& variable) {
 
 namespace {
 
+/// Names whose address a unit takes: ADR(name). Its tokens are read, once and not its tree: where a constant lies is
+/// decided before anything of a body is resolved.
+class AddressedNames {
+public:
+    AddressedNames(const World& world, const Unit& unit) : m_world(world), m_unit(unit) {}
+    [[nodiscard]] bool contain(const Variable& variable) {
+        if (!m_areRead) read();
+        return m_names.count(variable.id) > 0;
+    }
+
+private:
+    void read() {
+        m_areRead = true;
+        if (!m_unit.file || !m_unit.pou) return;
+        const SourceRange range = m_unit.pou->range;
+        const auto& tokens = m_unit.file->tokens.tokens;
+        auto at = std::lower_bound(tokens.begin(), tokens.end(), range.begin,
+                                   [](const lex::Token& token, uint32_t begin) { return token.begin < begin; });
+        for (; at + 2 < tokens.end() && at->begin < range.end; ++at)
+            if (at->kind == lex::TokenKind::Identifier && at->end - at->begin == 3 &&
+                (at + 1)->kind == lex::TokenKind::LeftParen && equalsIgnoringCase(textOf(*at), "ADR"))
+                m_names.insert(m_world.names.find(textOf(*(at + 2))));
+    }
+    [[nodiscard]] std::string_view textOf(const lex::Token& token) const {
+        return m_world.textOf({m_unit.pou->range.file, token.begin, token.end});
+    }
+
+    const World& m_world;
+    const Unit& m_unit;
+    std::set<NameId> m_names;
+    bool m_areRead = false;
+};
+
 /// {attribute 'alias' := 'a, b'}
 void addAliases(types::Field& field, std::string_view list) {
     std::string word;
@@ -89,7 +122,7 @@ void addAliases(types::Field& field, std::string_view list) {
 class FieldPlacing {
 public:
     FieldPlacing(WorldBuilder& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields)
-        : m_world(world), m_unit(unit), m_fields(fields) {}
+        : m_world(world), m_unit(unit), m_fields(fields), m_addressed(world, unit) {}
 
     void own(Variable& variable) {
         const TypeId type = completedType(variable);
@@ -146,7 +179,8 @@ private:
 
     void place(Variable& variable, TypeId type) {
         if (variable.isConstant && variable.kind == SectionKind::Var) {
-            if (isFoldable(m_world.types, type) && m_unit.kind != UnitKind::Program) return;
+            if (isFoldable(m_world.types, type) && m_unit.kind != UnitKind::Program && !m_addressed.contain(variable))
+                return;
             // Everybody's instance has the same value: it is stored once.
             makeStatic(variable); // a program's constants can be watched
             return;
@@ -203,6 +237,7 @@ private:
     WorldBuilder& m_world;
     Unit& m_unit;
     std::vector<std::pair<Variable*, uint32_t>>& m_fields;
+    AddressedNames m_addressed;
 };
 
 } // namespace
@@ -330,6 +365,7 @@ void completeFunction(WorldBuilder& world, Unit& unit) {
         variable.local = static_cast<uint32_t>(function.locals.size());
         function.locals.push_back(std::move(local));
     };
+    AddressedNames addressed(world, unit);
     for (Variable& variable : unit.variables) {
         const TypeId type = typeOf(world, variable);
         if (variable.kind != SectionKind::InOut &&
@@ -376,7 +412,7 @@ void completeFunction(WorldBuilder& world, Unit& unit) {
         }
         // Folded where it is used, or stored once: a constant costs nothing in a frame.
         if (variable.isConstant) {
-            if (!isFoldable(world.types, variable.type)) makeStatic(variable);
+            if (!isFoldable(world.types, variable.type) || addressed.contain(variable)) makeStatic(variable);
             continue;
         }
         if (variable.isLocated) {

@@ -4,6 +4,7 @@
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/declare/configuration.h"
 #include "runtime/compiler/sema/declare/declare.h"
+#include "runtime/compiler/sema/declare/generic_blocks.h"
 #include "runtime/compiler/sema/declare/tests.h"
 #include "runtime/compiler/sema/kept/last_check.h"
 #include "runtime/compiler/sema/kept_bodies.h"
@@ -27,6 +28,7 @@ using diagnostics::Kind;
 using Files = std::vector<std::shared_ptr<const syntax::SyntaxFile>>;
 static size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept);
 static void useNamesIn(WorldBuilder& world, SourceRange range);
+static void dropRepeated(std::vector<Reference>& references);
 
 // The types of the program are those of the tree: both are filled here and read by everything behind.
 WorldBuilder::WorldBuilder(const SourceSet& theSources, const Options& theOptions,
@@ -99,6 +101,7 @@ tree::FunctionId newFunction(Gathered& gathered, std::string name, const Unit* u
 size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
+    declareGenericBlocks(world);
     // By index and not by iterator wherever the list may grow meanwhile.
     for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
     // Before any layout: whether a block has a number at offset 0 moves all its fields.
@@ -154,6 +157,21 @@ void useNamesIn(WorldBuilder& world, SourceRange range) {
             world.options.usedElsewhere.insert("." + foldCase(text.substr(token.begin, token.end - token.begin)));
 }
 
+/// A block with generic constants is checked for each list of values and says the same of a place each time.
+void dropRepeated(std::vector<Reference>& references) {
+    const auto isSame = [](const Reference& a, const Reference& b) {
+        return a.symbol == b.symbol && a.isRead == b.isRead && a.isWrite == b.isWrite;
+    };
+    size_t kept = 0;
+    for (size_t i = 0; i < references.size(); ++i) {
+        bool isRepeated = false;
+        for (size_t k = kept; k > 0 && !isRepeated && references[k - 1].range == references[i].range; --k)
+            isRepeated = isSame(references[k - 1], references[i]);
+        if (!isRepeated) references[kept++] = references[i];
+    }
+    references.erase(references.begin() + static_cast<std::ptrdiff_t>(kept), references.end());
+}
+
 std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
                                         std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
                                         const Options& options) {
@@ -197,6 +215,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
         return std::tuple(a.range.file, a.range.begin, a.range.end) <
                std::tuple(b.range.file, b.range.begin, b.range.end);
     });
+    dropRepeated(world.references);
     analysis->references = std::move(world.references);
     world.sink.sort();
     analysis->diagnostics = world.sink.take();

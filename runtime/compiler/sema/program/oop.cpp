@@ -2,6 +2,7 @@
 #include "runtime/compiler/sema/program/oop.h"
 
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/declare/generic_blocks.h"
 #include "runtime/compiler/sema/layout/units.h"
 #include "runtime/compiler/sema/names/lookup.h"
 #include "runtime/compiler/sema/program/analyze.h"
@@ -75,7 +76,12 @@ void resolveBases(WorldBuilder& world, Unit& unit) {
                 if (Unit* base = resolve(path, true)) unit.interfaces.push_back(base);
         } else if (unit.kind == UnitKind::Block) {
             for (const syntax::Path& path : unit.pou->extends) {
-                Unit* base = resolve(path, false);
+                // Base<100>: the values are seen from the unit itself, whose own constants they may be.
+                const bool hasValues =
+                    unit.pou->result && !unit.pou->result->bounds.empty() && &path == &unit.pou->extends.front();
+                const auto generic = hasValues ? pathOfGeneric(world, *unit.pou->result, {&unit, unit.space, unit.file})
+                                               : std::optional(path);
+                Unit* base = generic ? resolve(*generic, false) : nullptr;
                 if (!base) continue;
                 // Blocks have one base; several are interfaces' privilege (6.6.7).
                 if (unit.base)

@@ -6,6 +6,7 @@
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/declare/configuration.h"
 #include "runtime/compiler/sema/declare/declare.h"
+#include "runtime/compiler/sema/declare/generic_blocks.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/layout/relative_addresses.h"
 #include "runtime/compiler/sema/layout/units.h"
@@ -217,10 +218,13 @@ TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scop
     switch (spec->kind) {
     case TypeSpecKind::Error:
         return unknown;
-    case TypeSpecKind::Named:
-        return resolveNamed(world, spec->path, scope,
-                            spec->path.empty() ? spec->range
-                                               : joined(spec->path.front().range, spec->path.back().range));
+    case TypeSpecKind::Named: {
+        if (spec->path.empty()) return resolveNamed(world, spec->path, scope, spec->range);
+        const SourceRange range = joined(spec->path.front().range, spec->path.back().range);
+        if (spec->bounds.empty()) return resolveNamed(world, spec->path, scope, range);
+        const auto path = pathOfGeneric(world, *spec, scope);
+        return path ? resolveNamed(world, *path, scope, range) : unknown;
+    }
     case TypeSpecKind::String: {
         // STRING and WSTRING come as one kind of syntax; the word is kept as its path.
         const bool wide = !spec->path.empty() && equalsIgnoringCase(spec->path.front().text, "WSTRING");
@@ -300,6 +304,10 @@ TypeId resolveArray(WorldBuilder& world, const syntax::TypeSpec& spec, const Sco
         const auto low = constantInteger(world, bounds.low, scope), high = constantInteger(world, bounds.high, scope);
         if (!low || !high) {
             good = false;
+            continue;
+        }
+        if (*high == *low - 1 && isInGeneric(scope)) {
+            dimensions.push_back({*low, *low});
             continue;
         }
         if (*high < *low || *low < INT32_MIN || *high > INT32_MAX) {
