@@ -5,11 +5,8 @@
 #include "thousand_elements.h"
 
 #include <QElapsedTimer>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QWebSocket>
-
-#include <unistd.h>
 
 namespace plc::serve {
 namespace {
@@ -33,33 +30,12 @@ struct Watcher {
     }
 };
 
-void write(const QString& path, const std::string& text) {
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly)) << path.toStdString();
-    file.write(QByteArray::fromStdString(text));
-}
-
-void writeProject(const QString& folder) {
-    for (const char* part : {"/src", "/hmi"}) ASSERT_TRUE(QDir().mkpath(folder + QLatin1String(part)));
-    write(folder + "/project.json", R"({"name": "thousand", "hmi": {"startPanel": "main", "languages": ["en"]}})");
-    write(folder + "/src/main.st", kThousandValues);
-    write(folder + "/hmi/main.panel.json", thousandElementPanel());
-}
-
-double processorSecondsOf(qint64 process) {
-    QFile file(QStringLiteral("/proc/%1/stat").arg(process));
-    if (!file.open(QIODevice::ReadOnly)) return 0;
-    const QList<QByteArray> fields = file.readAll().split(')').last().simplified().split(' '); // behind the name
-    return (fields.value(11).toDouble() + fields.value(12).toDouble()) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
-
 /// Prints how many frames a second each of ten gets, the server in a process of its own. How many that are depends on
 /// what else the machine does; that everybody goes on and has the whole panel is certain anywhere.
 TEST(ManyBrowsers, TenGetAThousandChangingElements) {
     constexpr size_t kCount = 10, kElements = 1000;
     QTemporaryDir folder;
-    writeProject(folder.path());
-    if (HasFatalFailure()) return;
+    ASSERT_TRUE(writeThousandElements(folder.path()));
     Service service({folder.path()});
     if (HasFailure()) return;
     std::vector<std::unique_ptr<Watcher>> watchers;
@@ -70,7 +46,7 @@ TEST(ManyBrowsers, TenGetAThousandChangingElements) {
     ASSERT_TRUE(waitUntil([&] { return haveAll(10); }, 120'000));
     std::vector<int> before;
     for (const auto& one : watchers) before.push_back(one->frames);
-    const double cpu = processorSecondsOf(service.process.processId()), own = static_cast<double>(std::clock());
+    const double cpu = service.processorSeconds(), own = static_cast<double>(std::clock());
     QElapsedTimer clock;
     clock.start();
     EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 3000; }, 60'000));
@@ -90,9 +66,8 @@ TEST(ManyBrowsers, TenGetAThousandChangingElements) {
     }
     std::printf("10 browsers, 1,000 changing elements: %.1f frames a second each, at least %.1f; %.0f kB a frame; the "
                 "server takes %.0f %% of a core, %.2f ms a frame of a browser, reading them %.0f %%\n",
-                sum / seconds / kCount, least, bytes / 1000,
-                100 * (processorSecondsOf(service.process.processId()) - cpu) / seconds,
-                1000 * (processorSecondsOf(service.process.processId()) - cpu) / sum,
+                sum / seconds / kCount, least, bytes / 1000, 100 * (service.processorSeconds() - cpu) / seconds,
+                1000 * (service.processorSeconds() - cpu) / sum,
                 100 * (static_cast<double>(std::clock()) - own) / CLOCKS_PER_SEC / seconds);
     service.process.terminate();
     EXPECT_TRUE(service.process.waitForFinished(60'000));

@@ -1,5 +1,8 @@
 // A panel of 1,000 elements, all of which change from scan to scan: what browsers are measured with. Functions.
 #pragma once
+#include <QDir>
+#include <QFile>
+
 #include <array>
 #include <string>
 
@@ -29,5 +32,16 @@ inline constexpr const char* kThousandValues =
     "n := n + 1; FOR i := 0 TO 999 DO r[i] := 50.0 + 45.0 * SIN(DINT_TO_REAL(n) * 0.1 + DINT_TO_REAL(i)); "
     "b[i] := (n / 10 + i) MOD 2 = 0; END_FOR;\nEND_PROGRAM\nCONFIGURATION C RESOURCE R ON PLC "
     "TASK T(INTERVAL := T#20ms, PRIORITY := 1); PROGRAM Main WITH T : Main; END_RESOURCE END_CONFIGURATION\n";
+
+/// As a project for a server in a process of its own.
+inline bool writeThousandElements(const QString& folder) {
+    const auto write = [&](const QString& name, const std::string& text) {
+        QFile file(folder + u'/' + name);
+        return QDir().mkpath(QFileInfo(file).path()) && file.open(QIODevice::WriteOnly) &&
+               file.write(QByteArray::fromStdString(text)) == static_cast<qint64>(text.size());
+    };
+    return write("project.json", R"({"name": "thousand", "hmi": {"startPanel": "main", "languages": ["en"]}})") &&
+           write("src/main.st", kThousandValues) && write("hmi/main.panel.json", thousandElementPanel());
+}
 
 } // namespace plc::serve
