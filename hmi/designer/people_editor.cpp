@@ -37,12 +37,22 @@ QTableWidget* tableWith(const QStringList& heads, const QString& name) {
     return table;
 }
 
-QWidget* boxed(const QString& title, QWidget* content) {
+/// With what can be done to its table, in words: five pictures in one bar told nobody which of the two they were for.
+QWidget* boxed(const QString& title, QToolBar* bar, QWidget* content) {
     auto* box = new QGroupBox(title);
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(2);
+    layout->addWidget(bar);
     layout->addWidget(content);
     return box;
+}
+
+QToolBar* barInWords() {
+    auto* bar = new QToolBar;
+    bar->setIconSize(QSize(16, 16));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    return bar;
 }
 
 bool isSame(const QString& a, const QString& b) { return a.compare(b, Qt::CaseInsensitive) == 0; }
@@ -55,13 +65,12 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
       m_roles(tableWith({tr("Role"), tr("Title"), tr("Start panel")}, tr("Roles"))), m_timeout(new QSpinBox),
       m_problem(new QLabel) {
     QToolBar* bar = makeEditBar(m_undo, this);
-    bar->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, &PeopleEditor::addUser);
-    bar->addAction(kit::icon(kit::Icon::Lock), tr("Set Password…"), this, &PeopleEditor::askForPassword);
-    bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove User"), this, &PeopleEditor::removeSelectedUser);
-    bar->addSeparator();
-    bar->addAction(kit::icon(kit::Icon::Layers), tr("Add a Role"), this, &PeopleEditor::addRole);
-    bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove Role"), this, &PeopleEditor::removeSelectedRole);
-    bar->addSeparator();
+    QToolBar *forUsers = barInWords(), *forRoles = barInWords();
+    forUsers->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, &PeopleEditor::addUser);
+    forUsers->addAction(kit::icon(kit::Icon::Lock), tr("Set Password…"), this, &PeopleEditor::askForPassword);
+    forUsers->addAction(kit::icon(kit::Icon::Remove), tr("Remove User"), this, &PeopleEditor::removeSelectedUser);
+    forRoles->addAction(kit::icon(kit::Icon::Layers), tr("Add a Role"), this, &PeopleEditor::addRole);
+    forRoles->addAction(kit::icon(kit::Icon::Remove), tr("Remove Role"), this, &PeopleEditor::removeSelectedRole);
     m_timeout->setRange(0, 86'400);
     m_timeout->setSuffix(tr(" s"));
     m_timeout->setSpecialValueText(tr("never"));
@@ -72,8 +81,8 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
     m_problem->setWordWrap(true);
     m_problem->setMargin(4);
     auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(boxed(tr("Users"), m_users));
-    splitter->addWidget(boxed(tr("Roles"), m_roles));
+    splitter->addWidget(boxed(tr("Users"), forUsers, m_users));
+    splitter->addWidget(boxed(tr("Roles"), forRoles, m_roles));
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
     auto* layout = new QVBoxLayout(this);
@@ -299,7 +308,9 @@ void PeopleEditor::rebuild() {
         fill(*m_roles, row, {one.name, m_context.shownText(one.title), one.startPanel});
     }
     m_timeout->setValue(people.timeout());
-    m_problem->setText(people.isEmpty() ? tr("Without users, everybody may do everything.") : QString());
+    m_problem->setText(people.isEmpty()
+                           ? tr("Without users, everybody may do everything. Add a role, then a user with a password.")
+                           : tr("What only some may do is set at the element, as \"Only for the roles\"."));
 }
 
 } // namespace plc::hmi
