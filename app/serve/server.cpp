@@ -15,8 +15,6 @@ namespace plc::serve {
 
 namespace {
 
-constexpr int kFrame = 33; // ms
-
 QByteArray page(const char* name) {
     QFile file(QStringLiteral(":/web/") + QLatin1String(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -44,7 +42,7 @@ Server::Server(const hmi::PanelProject& project, session::Session& session, LogI
         for (AttachLink* link : m_attached) link->tell(reason);
     });
     m_timer.setTimerType(Qt::PreciseTimer);
-    m_timer.setInterval(kFrame);
+    m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Server::frames);
     m_clock.start();
 }
@@ -95,7 +93,7 @@ Result<void> Server::start() {
         const QString place = m_settings.address.toString() + u':' + QString::number(m_settings.port);
         return Error{errors::PortNotFree(place.toStdString(), m_listener.errorString().toStdString()), {}};
     }
-    m_timer.start();
+    m_timer.start(static_cast<int>(FramePace::kFrame));
     return {};
 }
 
@@ -116,9 +114,9 @@ HttpAnswer Server::answer(const HttpRequest& request) {
     if (request.path == "/status") return {200, "application/json", statusJson(m_session, figures()), {}};
     if (request.path == "/metrics") return {200, "text/plain; version=0.0.4", prometheusText(m_session, figures()), {}};
     if (request.path == "/client/panel.css") return resource("panel.css", "text/css");
-    if (request.path == "/client/commands.js") return resource("commands.js", "text/javascript");
-    if (request.path == "/client/paint.js") return resource("paint.js", "text/javascript");
-    if (request.path == "/client/panel.js") return resource("panel.js", "text/javascript");
+    for (const char* script : {"reader.js", "ink.js", "words.js", "commands.js", "paint.js", "easel.js", "display.js",
+                               "worker.js", "panel.js"})
+        if (request.path == QByteArray("/client/") + script) return resource(script, "text/javascript");
     if (request.path == "/panel" || request.path == "/panel/") {
         const QString start = m_project.find(m_project.startPanel) || m_project.panels.empty()
                                   ? m_project.startPanel
@@ -201,16 +199,13 @@ void Server::acceptStudio(QWebSocket* socket) {
     });
 }
 
-/// Many browsers, or slow pictures, get fewer frames: half of the time is left for everything else.
 void Server::frames() {
     const qint64 begin = m_clock.elapsed();
     m_keeper.frame(std::chrono::steady_clock::now());
     const qint64 at = now(); // one moment for all: browsers that see the same share what is recorded of it
     for (PanelLink* link : std::vector(m_links)) link->frame(at);
     for (AttachLink* link : std::vector(m_attached)) link->frame(at);
-    const qint64 took = m_clock.elapsed() - begin;
-    const int wanted = static_cast<int>(std::clamp<qint64>(2 * took, kFrame, 500));
-    if (wanted != m_timer.interval()) m_timer.setInterval(wanted);
+    m_timer.start(static_cast<int>(m_pace.waitAfter(begin, m_clock.elapsed())));
 }
 
 ServerFigures Server::figures() const {

@@ -3,6 +3,7 @@
 // outlive it.
 #pragma once
 #include "app/serve/attach_link.h"
+#include "app/serve/frame_pace.h"
 #include "app/serve/listener.h"
 #include "app/serve/metrics.h"
 #include "app/serve/panel_link.h"
@@ -60,6 +61,7 @@ private:
     Gate m_attachGate;
     std::vector<AttachLink*> m_attached;
     QTimer m_timer;
+    FramePace m_pace;
     QElapsedTimer m_clock;
     uint64_t m_goneBytes = 0, m_goneFrames = 0, m_dropped = 0;
 };

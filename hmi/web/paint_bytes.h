@@ -1,5 +1,5 @@
 // Writes the numbers of the drawing commands that a browser gets: small ones take one byte, lengths are in 1/64 pixel.
-// client/commands.js reads them. A value, any thread.
+// client/reader.js reads them. A value, any thread.
 #pragma once
 #include <QByteArray>
 #include <QColor>

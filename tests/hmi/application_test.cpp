@@ -398,6 +398,23 @@ TEST(Recipe, GoesOutAndComesBackAsCsv) {
     EXPECT_EQ(RecipeFile::parse(file.write(), {})->write(), file.write());
 }
 
+TEST(Recipe, TheCheckFindsASetThatTheControllerWouldRefuse) {
+    Cook plant;
+    const driver::Built built = builtMachine();
+    const auto refused = [&] {
+        int count = 0;
+        for (const Finding& one : checkPanels(plant.project, built.checked))
+            count += one.code() == QStringLiteral("H1023");
+        return count;
+    };
+    EXPECT_EQ(refused(), 1) << "300 does not fit into SINT";
+    Recipe& recipe = plant.project.recipes.recipes().front();
+    recipe.find(QStringLiteral("b"))->values[QStringLiteral("Main.small")] = QStringLiteral("100");
+    EXPECT_EQ(refused(), 0);
+    recipe.variables.front().variable = QStringLiteral("Main.lvel");
+    EXPECT_GE(refused(), 1) << "no such variable";
+}
+
 // ---- alarms set aside
 
 TEST(Alarms, OneIsShelvedFromItsSheetAndComesBack) {

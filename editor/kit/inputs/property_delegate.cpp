@@ -2,6 +2,7 @@
 
 #include "editor/kit/inputs/property_grid.h"
 #include "editor/kit/theme.h"
+#include "editor/kit/word_list.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -11,6 +12,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QPainter>
 #include <QPlainTextEdit>
 #include <QSpinBox>
@@ -105,6 +107,21 @@ std::optional<QString> askLongText(const QString& title, const QString& text, QW
     return edit->toPlainText();
 }
 
+/// One of the words that are offered, put into the list or taken out of it.
+std::optional<QString> askWord(const std::vector<PropertyChoice>& words, const QString& list, QWidget* below) {
+    QMenu menu(below);
+    const QStringList chosen = wordsOf(list);
+    for (const PropertyChoice& word : words) {
+        QAction* action = menu.addAction(word.label);
+        action->setData(word.value);
+        action->setCheckable(true);
+        action->setChecked(chosen.contains(word.value.toString(), Qt::CaseInsensitive));
+    }
+    const QAction* picked = menu.exec(below->mapToGlobal(QPoint(0, below->height())));
+    if (!picked) return std::nullopt;
+    return withToggled(list, picked->data().toString());
+}
+
 } // namespace
 
 PropertyDelegate::PropertyDelegate(PropertyGrid& grid) : QStyledItemDelegate(&grid), m_grid(grid) {}
@@ -162,6 +179,10 @@ QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) co
         return withButton(Icon::Edit, PropertyGrid::tr("Edit in a window"), [this, label = d.label](const QString&) {
             return askLongText(label, m_grid.value(idOf(m_grid.currentIndex())).toString(), &m_grid);
         });
+    case PropertyKind::Text:
+        if (d.choices.empty()) return line;
+        return withButton(Icon::Menu, PropertyGrid::tr("Choose from a list"),
+                          [words = d.choices, parent](const QString& list) { return askWord(words, list, parent); });
     default:
         return line;
     }

@@ -3,7 +3,9 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "hmi/designer/choice_cell.h"
 #include "hmi/designer/editors/edit_bar.h"
+#include "hmi/designer/password_dialog.h"
 #include "hmi/model/errors.h"
 #include "hmi/people/log_in.h"
 #include "hmi/people/password.h"
@@ -11,7 +13,6 @@
 #include <QAction>
 #include <QGroupBox>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QLabel>
 #include <QSpinBox>
 #include <QSplitter>
@@ -36,12 +37,22 @@ QTableWidget* tableWith(const QStringList& heads, const QString& name) {
     return table;
 }
 
-QWidget* boxed(const QString& title, QWidget* content) {
+/// With what can be done to its table, in words: five pictures in one bar told nobody which of the two they were for.
+QWidget* boxed(const QString& title, QToolBar* bar, QWidget* content) {
     auto* box = new QGroupBox(title);
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(2);
+    layout->addWidget(bar);
     layout->addWidget(content);
     return box;
+}
+
+QToolBar* barInWords() {
+    auto* bar = new QToolBar;
+    bar->setIconSize(QSize(16, 16));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    return bar;
 }
 
 bool isSame(const QString& a, const QString& b) { return a.compare(b, Qt::CaseInsensitive) == 0; }
@@ -54,13 +65,12 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
       m_roles(tableWith({tr("Role"), tr("Title"), tr("Start panel")}, tr("Roles"))), m_timeout(new QSpinBox),
       m_problem(new QLabel) {
     QToolBar* bar = makeEditBar(m_undo, this);
-    bar->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, &PeopleEditor::addUser);
-    bar->addAction(kit::icon(kit::Icon::Lock), tr("Set Password…"), this, &PeopleEditor::askForPassword);
-    bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove User"), this, &PeopleEditor::removeSelectedUser);
-    bar->addSeparator();
-    bar->addAction(kit::icon(kit::Icon::Layers), tr("Add a Role"), this, &PeopleEditor::addRole);
-    bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove Role"), this, &PeopleEditor::removeSelectedRole);
-    bar->addSeparator();
+    QToolBar *forUsers = barInWords(), *forRoles = barInWords();
+    forUsers->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, &PeopleEditor::addUser);
+    forUsers->addAction(kit::icon(kit::Icon::Lock), tr("Set Password…"), this, &PeopleEditor::askForPassword);
+    forUsers->addAction(kit::icon(kit::Icon::Remove), tr("Remove User"), this, &PeopleEditor::removeSelectedUser);
+    forRoles->addAction(kit::icon(kit::Icon::Layers), tr("Add a Role"), this, &PeopleEditor::addRole);
+    forRoles->addAction(kit::icon(kit::Icon::Remove), tr("Remove Role"), this, &PeopleEditor::removeSelectedRole);
     m_timeout->setRange(0, 86'400);
     m_timeout->setSuffix(tr(" s"));
     m_timeout->setSpecialValueText(tr("never"));
@@ -71,8 +81,8 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
     m_problem->setWordWrap(true);
     m_problem->setMargin(4);
     auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(boxed(tr("Users"), m_users));
-    splitter->addWidget(boxed(tr("Roles"), m_roles));
+    splitter->addWidget(boxed(tr("Users"), forUsers, m_users));
+    splitter->addWidget(boxed(tr("Roles"), forRoles, m_roles));
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
     auto* layout = new QVBoxLayout(this);
@@ -82,6 +92,7 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
     layout->addWidget(splitter, 1);
     layout->addWidget(m_problem);
 
+    offerChoices();
     connect(m_users, &QTableWidget::cellChanged, this,
             [this](int row, int column) { commitUser(row, column, m_users->item(row, column)->text()); });
     connect(m_roles, &QTableWidget::cellChanged, this,
@@ -97,9 +108,44 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
     rebuild();
 }
 
+/// What the project has is chosen rather than typed.
+void PeopleEditor::offerChoices() {
+    using Takes = ChoiceCell::Takes;
+    const auto choose = [](QTableWidget& table, int column, Takes takes, std::function<QStringList()> choices) {
+        table.setItemDelegateForColumn(column, new ChoiceCell(std::move(choices), takes, &table));
+    };
+    const auto panels = [this] {
+        QStringList out{QString()};
+        for (const NamedPanel& panel : m_context.project().panels)
+            if (parametersOf(panel.panel).empty() && panel.name != m_context.project().frame) out += panel.name;
+        return out;
+    };
+    choose(*m_users, Roles, Takes::Several, [this] {
+        QStringList out;
+        for (const Role& role : m_context.project().people.roles()) out += role.name;
+        return out;
+    });
+    choose(*m_users, Language, Takes::One,
+           [this] { return QStringList{QString()} + m_context.project().texts.settings().languages; });
+    choose(*m_users, StartPanel, Takes::One, panels);
+    choose(*m_roles, RoleStartPanel, Takes::One, panels);
+}
+
 QString PeopleEditor::problem() const { return m_problem->text(); }
 
 void PeopleEditor::tell(const Message& problem) { m_problem->setText(kit::messageText(problem)); }
+
+/// What was typed is not taken: the cell has its old text again, and the reason is said.
+void PeopleEditor::refuse(const Message& why) {
+    rebuild();
+    tell(why);
+}
+
+bool PeopleEditor::isPanel(const QString& name) const { return name.isEmpty() || m_context.project().find(name); }
+
+bool PeopleEditor::isLanguage(const QString& tag) const {
+    return tag.isEmpty() || m_context.project().texts.settings().languages.contains(tag);
+}
 
 void PeopleEditor::edit(const QString& title, const std::function<void(PeopleFile&)>& change,
                         const DesignContext::NamesInPanels& names) {
@@ -167,20 +213,14 @@ bool PeopleEditor::setPassword(int row, const QString& password) {
 void PeopleEditor::askForPassword() {
     const int row = m_users->currentRow();
     if (row < 0) return;
-    bool isGiven = false;
-    const QString name = m_users->item(row, Name)->text();
-    const QString password = QInputDialog::getText(this, tr("Set Password"), tr("Password of %1:").arg(name),
-                                                   QLineEdit::Password, {}, &isGiven);
-    if (isGiven) (void)setPassword(row, password);
+    PasswordDialog dialog(m_users->item(row, Name)->text(), this);
+    if (dialog.exec() == QDialog::Accepted) (void)setPassword(row, dialog.password());
 }
 
 void PeopleEditor::setRoles(int row, const QString& text) {
     const QStringList wanted = LogIn::rolesOf(text);
     for (const QString& one : wanted)
-        if (!m_context.project().people.role(one)) {
-            rebuild();
-            return tell(errors::NoSuchRole(toUtf8(one)));
-        }
+        if (!m_context.project().people.role(one)) return refuse(errors::NoSuchRole(toUtf8(one)));
     edit(tr("Roles"), [&](PeopleFile& file) { file.users()[static_cast<size_t>(row)].roles = wanted; });
 }
 
@@ -190,10 +230,10 @@ void PeopleEditor::commitUser(int row, int column, const QString& typed) {
     if (row < 0 || row >= static_cast<int>(people.users().size())) return;
     if (column == Roles) return setRoles(row, text);
     const User* other = people.find(text);
-    if (column == Name && (text.isEmpty() || (other && other != &people.users()[static_cast<size_t>(row)]))) {
-        rebuild();
-        return tell(text.isEmpty() ? errors::UserWithoutName() : errors::UserTwice(toUtf8(text)));
-    }
+    if (column == Name && (text.isEmpty() || (other && other != &people.users()[static_cast<size_t>(row)])))
+        return refuse(text.isEmpty() ? errors::UserWithoutName() : errors::UserTwice(toUtf8(text)));
+    if (column == Language && !isLanguage(text)) return refuse(errors::NoLanguage(toUtf8(text)));
+    if (column == StartPanel && !isPanel(text)) return refuse(errors::NoPanel(toUtf8(text)));
     edit(m_users->horizontalHeaderItem(column)->text(), [&](PeopleFile& file) {
         User& user = file.users()[static_cast<size_t>(row)];
         if (column == Name) user.name = text;
@@ -207,11 +247,10 @@ void PeopleEditor::commitRole(int row, int column, const QString& typed) {
     const PeopleFile& people = m_context.project().people;
     if (row < 0 || row >= static_cast<int>(people.roles().size())) return;
     const Role before = people.roles()[static_cast<size_t>(row)];
-    if (column == RoleName && (text.isEmpty() || (people.role(text) && !isSame(text, before.name)))) {
-        rebuild();
-        return tell(text.isEmpty() ? errors::RoleWithoutName() : errors::RoleTwice(toUtf8(text)));
-    }
+    if (column == RoleName && (text.isEmpty() || (people.role(text) && !isSame(text, before.name))))
+        return refuse(text.isEmpty() ? errors::RoleWithoutName() : errors::RoleTwice(toUtf8(text)));
     if (column == RoleName) return renameRole(row, text);
+    if (column == RoleStartPanel && !isPanel(text)) return refuse(errors::NoPanel(toUtf8(text)));
     std::optional<kit::MacroScope> macro;
     QString title;
     if (column == RoleTitle) { // the text goes into the table of texts: one step with its key
@@ -269,7 +308,9 @@ void PeopleEditor::rebuild() {
         fill(*m_roles, row, {one.name, m_context.shownText(one.title), one.startPanel});
     }
     m_timeout->setValue(people.timeout());
-    m_problem->setText(people.isEmpty() ? tr("Without users, everybody may do everything.") : QString());
+    m_problem->setText(people.isEmpty()
+                           ? tr("Without users, everybody may do everything. Add a role, then a user with a password.")
+                           : tr("What only some may do is set at the element, as \"Only for the roles\"."));
 }
 
 } // namespace plc::hmi

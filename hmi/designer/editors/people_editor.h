@@ -40,6 +40,10 @@ private:
     void setRoles(int row, const QString& text);
     void askForPassword();
     void rebuild();
+    void offerChoices();
+    bool isPanel(const QString& name) const;
+    bool isLanguage(const QString& tag) const;
+    void refuse(const Message& why);
     void tell(const Message& problem);
 
     DesignContext& m_context;

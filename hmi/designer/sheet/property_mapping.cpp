@@ -34,6 +34,19 @@ kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std:
     return row;
 }
 
+/// What the project has by name is offered.
+void stringRow(kit::PropertyDescriptor& row, const PropertyDescriptor& property, const DesignContext& context) {
+    row.kind = kit::PropertyKind::Text;
+    if (property.key == "access") {
+        row.placeholder = Hmi::tr("everybody");
+        for (const Role& role : context.project().people.roles()) row.choices.push_back({role.name, role.name, {}});
+    } else if (property.key == "recipe" && !context.project().recipes.recipes().empty()) {
+        row.kind = kit::PropertyKind::Enumeration;
+        row.choices.push_back({QString(), Hmi::tr("none"), {}});
+        for (const Recipe& one : context.project().recipes.recipes()) row.choices.push_back({one.name, one.name, {}});
+    }
+}
+
 std::vector<kit::PropertyChoice> colorChoices() {
     std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}},
                                          {QStringLiteral("none"), Hmi::tr("none"), {}}};
@@ -166,7 +179,7 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
         row.choices = colorChoices();
         break;
     case PropertyType::String:
-        row.kind = kit::PropertyKind::Text;
+        stringRow(row, property, context);
         break;
     case PropertyType::Text:
         row.kind = kit::PropertyKind::Text;

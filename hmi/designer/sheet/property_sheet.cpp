@@ -62,6 +62,8 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
     connect(&m_selection, &Selection::changed, this, &PropertySheet::rebuild);
     connect(&m_context, &DesignContext::textsChanged, this, &PropertySheet::refresh);
     connect(&m_context, &DesignContext::languageChanged, this, &PropertySheet::refresh);
+    connect(&m_context, &DesignContext::peopleChanged, this, &PropertySheet::refresh);
+    connect(&m_context, &DesignContext::recipesChanged, this, &PropertySheet::refresh);
     rebuild();
 }
 
@@ -108,6 +110,9 @@ QString PropertySheet::shapeNow() const {
     }
     for (const PropertyDescriptor* property : shared()) // the action of a button hides some
         shape += u' ' + kit::fromView(property->key);
+    const PanelProject& project = m_context.project(); // what rows offer by name
+    for (const Role& role : project.people.roles()) shape += QStringLiteral(" role:") + role.name;
+    for (const Recipe& recipe : project.recipes.recipes()) shape += QStringLiteral(" recipe:") + recipe.name;
     return shape;
 }
 

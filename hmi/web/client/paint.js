@@ -116,6 +116,8 @@ class Element {
   }
 }
 
+const kFresh = new State();
+
 class Painter {
   constructor(canvas) {
     this.canvas = canvas;
@@ -126,6 +128,7 @@ class Painter {
     this.dirty = [];
     this.allDirty = true;
     this.scale = 1;
+    this.state = new State(); // of the element that is being painted
     this.paints = 0;
     this.color = '#fff';
     this.ground = null;
@@ -185,7 +188,7 @@ class Painter {
     const from = new Reader(buffer), number = from.count();
     while (!from.isAtEnd) {
       switch (from.byte()) {
-      case 1: this.commands.glyphs[from.count()] = from.path(); break;
+      case 1: this.commands.glyphs.paths[from.count()] = from.path(); break;
       case 2: this.takePicture(from.count(), from.blob()); break;
       case 3: this.takeElement(from); break;
       case 4: this.reset(); break;
@@ -203,13 +206,26 @@ class Painter {
   }
 
   takePicture(id, bytes) {
-    const image = this.pictures[id] = new Image();
-    image.onload = () => {
+    const one = this.pictures[id] = {image: null, isRead: false};
+    const done = image => {
+      one.image = image;
+      one.isRead = true;
       this.forgetLooks();
       this.allDirty = true;
       if (this.onPictures) this.onPictures();
     };
-    image.src = URL.createObjectURL(new Blob([bytes.slice()], {type: 'image/png'}));
+    createImageBitmap(new Blob([bytes.slice()], {type: 'image/png'})).then(done, () => done(null));
+  }
+
+  /// All pictures that came are there.
+  get isWhole() { return this.pictures.every(one => one.isRead); }
+
+  /// Everything from its commands alone.
+  paintAfresh() {
+    this.commands.forget();
+    this.forgetLooks();
+    this.allDirty = true;
+    this.paint();
   }
 
   takeElement(from) {
@@ -308,7 +324,7 @@ class Painter {
   paintElement(element, ink) {
     const commands = element.commands, grounded = element.grounded;
     if (grounded === commands.length) return;
-    const state = grounded ? element.after.copy() : new State();
+    const state = grounded ? this.state.set(element.after) : this.state.set(kFresh);
     for (const run of element.runsNow()) {
       if (run.end <= grounded) continue;
       const look = run.begin < grounded ? null : this.look(element, run, state);
@@ -332,7 +348,7 @@ class Painter {
   look(element, run, state) {
     if (!run.isDear(element.commands)) return null;
     if (run.key === null) run.describe(element.commands);
-    if (run.look !== undefined && run.edition === this.edition && run.needs.every((part, i) => run.had[i] === state[part])) {
+    if (run.look !== undefined && run.edition === this.edition && isSame(run, state)) {
       if (run.look) run.look.at = this.paints;
       return run.look;
     }
@@ -389,6 +405,12 @@ class Painter {
     this.lookPixels += width * height;
     return true;
   }
+}
+
+/// What the run needs of the state before it is what it had.
+function isSame(run, state) {
+  for (let i = 0; i < run.needs.length; ++i) if (run.had[i] !== state[run.needs[i]]) return false;
+  return true;
 }
 
 function overlap(a, b) { return a[0] < b[2] && a[1] < b[3] && a[2] > b[0] && a[3] > b[1]; }

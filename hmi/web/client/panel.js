@@ -4,8 +4,9 @@
 
 const byId = id => document.getElementById(id);
 const stage = byId('stage'), canvas = byId('canvas'), elements = byId('elements');
-const painter = new Painter(canvas), labels = new Map();
-let socket = null, panel = null, waits = 250, noteTimer = 0, isHeld = false, painted = 0, shown = 0, secret = '', user = '';
+const labels = new Map();
+const display = new Display(canvas, number => send({t: 'drawn', n: number}), () => { if (socket) socket.close(); });
+let socket = null, panel = null, waits = 250, noteTimer = 0, isHeld = false, secret = '', user = '';
 const asked = new URLSearchParams(location.search);
 const wanted = {panel: decodeURIComponent(location.pathname.replace(/^\/panel\/?/, '')), language: asked.get('language') || ''};
 if (asked.has('bare')) document.body.classList.add('bare');
@@ -32,12 +33,7 @@ function connect() {
   };
   socket.onmessage = event => {
     if (typeof event.data === 'string') return take(JSON.parse(event.data));
-    const number = painter.take(event.data);
-    requestAnimationFrame(() => {
-      if (painter.paint()) ++painted;
-      shown = number;
-      send({t: 'drawn', n: number});
-    });
+    display.take(event.data);
   };
   socket.onclose = () => {
     socket = null;
@@ -113,7 +109,7 @@ function place() {
   if (!panel) return;
   const zoom = fit(), width = panel.width * zoom, height = panel.height * zoom;
   const left = Math.max(0, Math.floor((stage.clientWidth - width) / 2)), top = Math.max(0, Math.floor((stage.clientHeight - height) / 2));
-  painter.resize(panel.width, panel.height, scaleNow(), panel.ground);
+  display.resize(panel.width, panel.height, scaleNow(), panel.ground);
   for (const [part, style] of [[canvas, canvas.style], [elements, elements.style]]) {
     style.left = left + 'px';
     style.top = top + 'px';
@@ -121,7 +117,6 @@ function place() {
   }
   elements.style.transform = `scale(${zoom})`;
   elements.style.transformOrigin = '0 0';
-  painter.paint();
 }
 
 /// A button or a text that lies over an element, for keyboards and screen readers. Only what is new of it is touched:
@@ -228,7 +223,6 @@ window.addEventListener('resize', () => {
   place();
   send({t: 'scale', n: scaleNow()});
 });
-painter.onPictures = () => requestAnimationFrame(() => painter.paint());
 // For tests: what is on the screen.
-window.stepwise = {painter, get shown() { return shown; }, get painted() { return painted; }, get panel() { return panel; }, send};
+window.stepwise = {display, get shown() { return display.shown; }, get panel() { return panel; }, send};
 connect();

@@ -115,7 +115,7 @@ QJsonValue Page::evaluate(const QString& expression) {
 
 bool Page::waitFor(const QString& expression, int milliseconds) {
     const QString guarded =
-        QStringLiteral("(() => { try { return !!(%1); } catch (_) { return false; } })()").arg(expression);
+        QStringLiteral("(async () => { try { return !!(%1); } catch (_) { return false; } })()").arg(expression);
     return waitUntil([&] { return evaluate(guarded).toBool(); }, milliseconds);
 }
 
@@ -148,7 +148,7 @@ void Page::key(const QString& key) {
 }
 
 QImage Page::canvas() {
-    const QString url = evaluate(QStringLiteral("document.getElementById('canvas').toDataURL('image/png')")).toString();
+    const QString url = evaluate(QStringLiteral("stepwise.display.pictures().then(all => all[0])")).toString();
     return QImage::fromData(QByteArray::fromBase64(url.section(u',', 1).toLatin1()), "PNG");
 }
 

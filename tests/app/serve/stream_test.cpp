@@ -1,6 +1,8 @@
 // What travels to a browser: nothing when nothing changed, little when little did.
-#include "hmi/web/panel_stream.h"
+#include "drawn_panel.h"
+#include "thousand_elements.h"
 
+#include "hmi/web/panel_stream.h"
 #include "tests/hmi/running.h"
 
 #include <QElapsedTimer>
@@ -49,6 +51,22 @@ TEST(PanelStream, SendsTheWholePictureOnceAndThenOnlyWhatChanged) {
     EXPECT_EQ(s.bytes(), 0);
     s.stream->restart();
     EXPECT_GT(s.bytes(), 3000);
+}
+
+TEST(PanelStream, WhatABrowserKeepsOfAllFramesIsWhatANewOneIsSent) {
+    Streamed s(serve::thousandElements());
+    serve::DrawnPanel kept, fresh;
+    for (int frame = 0; frame < 12; ++frame) {
+        for (int i = 0; i < 1000; i += frame % 3 + 1) { // others each time: some commands stay, some come and go
+            s.values.set(QStringLiteral("Main.r[%1]").arg(i), Value::ofReal(50 + 45 * std::sin(frame * 0.3 + i)));
+            s.values.set(QStringLiteral("Main.b[%1]").arg(i), Value::ofBool((frame + i) % 4 < 2));
+        }
+        ASSERT_TRUE(kept.take(s.stream->frame(frame * 33))) << kept.problem().toStdString();
+    }
+    PanelStream another(s.store, *s.player);
+    ASSERT_TRUE(fresh.take(another.frame(12 * 33))) << fresh.problem().toStdString();
+    ASSERT_EQ(kept.elements().size(), 1000u);
+    for (const auto& [index, element] : fresh.elements()) EXPECT_EQ(kept.elements().at(index), element) << index;
 }
 
 TEST(PanelStream, WordsForScreenReadersAreWhatIsSeen) {

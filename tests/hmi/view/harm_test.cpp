@@ -5,10 +5,11 @@
 #include "hmi/view/element_factory.h"
 #include <QElapsedTimer>
 #include <QImage>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
+#include <ctime>
 #include <sys/stat.h>
 
 namespace plc::hmi {
@@ -54,14 +55,13 @@ TEST(HarmfulPanel, NumbersBeyondTheirRangeAreReportedAndDrawnWithTheNearestThatI
     for (const auto& row : rows) {
         const std::string rect = row.element.find("rect") == std::string::npos ? R"("rect":[0,0,200,200],)" : "";
         const CheckInput input = inputOf("{\"id\":\"a\"," + rect + row.element + "}");
-        QElapsedTimer clock;
-        clock.start();
+        const std::clock_t begin = std::clock();
         EXPECT_EQ(findings(input), row.finding) << row.element;
         PanelScene scene{makeElementView};
         scene.setDesigning(true);
         scene.setPanel(input.panels[0].panel);
         EXPECT_FALSE(scene.picture().isNull());
-        EXPECT_LT(clock.elapsed(), 5000) << row.element;
+        EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC) << row.element;
     }
 }
 
@@ -77,21 +77,34 @@ struct PictureProject {
         return name;
     }
     std::string complaint(const QString& name, bool mayLeave = false) const {
-        QElapsedTimer clock;
-        clock.start();
+        const std::clock_t begin = std::clock(); // what the program needs; how long that takes, other programs decide
         const Result<QPixmap> picture = loadPicture({folder, mayLeave}, name, {100, 100});
-        EXPECT_LT(clock.elapsed(), 5000);
+        EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
         return picture ? std::string() : picture.error().message.english();
     }
 };
 
-QByteArray packed(const QByteArray& bytes) {
-    QProcess gzip;
-    gzip.start(QStringLiteral("gzip"), {QStringLiteral("-c")});
-    gzip.write(bytes);
-    gzip.closeWriteChannel();
-    gzip.waitForFinished();
-    return gzip.readAllStandardOutput();
+/// As gzip packs it, `times` one after the other. (The program itself had 30 s for the bomb, which a busy machine
+/// took.)
+QByteArray packed(const QByteArray& bytes, int times = 1) {
+    z_stream stream{};
+    EXPECT_EQ(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    QByteArray out;
+    QByteArray in = bytes;
+    for (int i = 0; i < times; ++i) {
+        stream.next_in = reinterpret_cast<Bytef*>(in.data());
+        stream.avail_in = static_cast<uInt>(in.size());
+        do {
+            const qsizetype before = out.size(), piece = 64 * 1024;
+            out.resize(before + piece);
+            stream.next_out = reinterpret_cast<Bytef*>(out.data() + before);
+            stream.avail_out = static_cast<uInt>(piece);
+            EXPECT_NE(deflate(&stream, i + 1 == times ? Z_FINISH : Z_NO_FLUSH), Z_STREAM_ERROR);
+            out.resize(before + piece - static_cast<qsizetype>(stream.avail_out));
+        } while (stream.avail_out == 0);
+    }
+    deflateEnd(&stream);
+    return out;
 }
 
 const QByteArray kSvg = R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink")";
@@ -100,8 +113,9 @@ TEST(HarmfulPicture, APackedPictureIsShownAndABombIsRefused) {
     const PictureProject project;
     const QByteArray good = kSvg + R"( width="20" height="10"><rect width="20" height="10" fill="red"/></svg>)";
     EXPECT_EQ(project.complaint(project.write("good.svgz", packed(good))), "");
-    const QByteArray bomb = kSvg + ">" + QByteArray(300 << 20, ' ') + "</svg>";
-    EXPECT_EQ(project.complaint(project.write("bomb.svgz", packed(bomb))),
+    const QByteArray bomb = packed(kSvg + ">" + QByteArray(1 << 20, ' '), 300);
+    EXPECT_LT(bomb.size(), 4 << 20);
+    EXPECT_EQ(project.complaint(project.write("bomb.svgz", bomb)),
               "The picture bomb.svgz unpacks to more than 16 MB; use a smaller one");
     EXPECT_EQ(project.complaint(project.write("cut.svgz", packed(good).left(30))),
               "cut.svgz is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them");

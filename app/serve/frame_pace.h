@@ -1,0 +1,25 @@
+// When a server's next frame begins: 30 a second, and as many fewer as leave a quarter of the time for everything else
+// where frames take long. A value of the server; times are arguments, ms of any epoch.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+namespace plc::serve {
+
+class FramePace {
+public:
+    static constexpr int64_t kFrame = 33, kSlowest = 500;
+
+    /// How long to wait after a frame, so that frames begin, not end, at even distances.
+    int64_t waitAfter(int64_t begin, int64_t end) {
+        const int64_t period = std::clamp<int64_t>((end - begin) * 4 / 3, kFrame, kSlowest);
+        const bool isLate = begin - m_due >= period; // after a pause there is nothing to make up for
+        m_due = (isLate ? begin : m_due) + period;
+        return std::clamp<int64_t>(m_due - end, 1, kSlowest);
+    }
+
+private:
+    int64_t m_due = INT64_MIN / 2; // of the frame that is painted
+};
+
+} // namespace plc::serve
