@@ -147,8 +147,8 @@ void TuningView::showCharts() {
             chart.curves.push_back(curveOf((*m_proposal).*which, tr("proposed"), 0));
         return chart;
     };
-    m_setPoint->setChart(response(tr("Step of the set point"), &tuning::Assessment::setPointTrajectory));
-    m_load->setChart(response(tr("Step of the load"), &tuning::Assessment::loadTrajectory));
+    m_setPoint->setChart(response(tr("Set point"), &tuning::Assessment::setPointTrajectory));
+    m_load->setChart(response(tr("Disturbance"), &tuning::Assessment::loadTrajectory));
     showBode();
 }
 

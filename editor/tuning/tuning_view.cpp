@@ -13,6 +13,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QSplitter>
 #include <QTabWidget>
@@ -177,7 +178,16 @@ QWidget* TuningView::makeSettings() {
     for (QComboBox* box : {m_model, m_rule, m_kind})
         connect(box, &QComboBox::currentIndexChanged, this, &TuningView::propose);
     for (QSlider* each : {m_brisk, m_tracking}) connect(each, &QSlider::valueChanged, this, &TuningView::propose);
-    return page;
+    // a low dock shows some rows of each list and scrolls to the rest
+    m_steps->setMinimumHeight(110);
+    m_figures->setMinimumHeight(170);
+    auto* scrolled = new QScrollArea;
+    scrolled->setWidget(page);
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled->setMinimumWidth(page->minimumSizeHint().width());
+    return scrolled;
 }
 
 QWidget* TuningView::makeCharts() {
@@ -199,14 +209,14 @@ QWidget* TuningView::makeCharts() {
     m_trial->setObjectName("tuningTrial");
     m_setPoint->setObjectName("tuningSetPoint");
     m_load->setObjectName("tuningLoad");
-    grid->addWidget(m_data, 0, 0);
-    grid->addWidget(m_trial, 0, 1);
+    grid->addWidget(m_trial, 0, 0, 1, 2);
     grid->addWidget(m_setPoint, 1, 0);
     grid->addWidget(m_load, 1, 1);
     auto* tabs = new QTabWidget;
     tabs->setObjectName("tuningCharts");
     tabs->setAccessibleName(tr("Charts of the loop"));
     tabs->setDocumentMode(true);
+    tabs->addTab(m_data, tr("Model"));
     tabs->addTab(page, tr("Responses"));
     tabs->addTab(m_bode, tr("Bode Plot"));
     tabs->addTab(makeHealth(), tr("Health"));

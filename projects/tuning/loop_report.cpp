@@ -32,8 +32,11 @@ std::string table(const std::vector<Row>& rows, bool hasHead = true) {
     for (size_t i = 0; i < rows.size(); ++i) {
         const bool isHead = hasHead && i == 0;
         out += "<tr>";
-        for (const std::string& cell : rows[i])
-            out += std::string(isHead ? "<th align=\"left\">" : "<td>") + xmlText(cell) + (isHead ? "</th>" : "</td>");
+        for (size_t k = 0; k < rows[i].size(); ++k)
+            out += std::string(isHead   ? "<th align=\"left\">"
+                               : k == 0 ? "<td style=\"white-space:nowrap\">"
+                                        : "<td>") +
+                   xmlText(rows[i][k]) + (isHead ? "</th>" : "</td>");
         out += "</tr>\n";
     }
     return out + "</table>\n";
@@ -84,9 +87,9 @@ private:
 std::string Page::head() const {
     return "<!DOCTYPE html>\n<html lang=\"" + m_words.language + "\"><head><meta charset=\"utf-8\"><title>" +
            xmlText(m_report.name) +
-           "</title>\n<style>:root{color-scheme:light}body{font-family:\"Noto Sans\",sans-serif;margin:0 auto;"
-           "padding:24px;max-width:1160px;color:#202124;background:#ffffff;overflow-wrap:anywhere}"
-           "table{border-collapse:collapse}td,th{padding:2px 18px 2px 0;text-align:left;vertical-align:top}"
+           "</title>\n<style>:root{color-scheme:light}body{font-family:\"Noto Sans\",sans-serif;margin:0;"
+           "padding:24px;max-width:1160px;color:#202124;background:#ffffff;overflow-wrap:break-word}"
+           "table{border-collapse:collapse}td,th{padding:2px 12px 2px 0;text-align:left;vertical-align:top}"
            "th{border-bottom:1px solid #9aa0a6;overflow-wrap:normal}svg{max-width:100%;height:auto}</style></head>"
            "<body>\n<h1>" +
            xmlText(m_report.name) + "</h1>\n" + paragraph(errors::PageSignals(m_report.measured, m_report.input));
@@ -120,7 +123,7 @@ std::string Page::changes() const {
 
 std::string Page::model() const {
     const Identified& best = m_report.best();
-    std::string out = heading(errors::PageModel());
+    std::string out = heading(errors::PageModel(), true);
     out += paragraph(errors::PageExplains(m_words.title(title(best.structure)), rounded(best.fit, 4)));
     if (best.validation) out += paragraph(errors::PageValidated(rounded(*best.validation, 4)));
     out += "<p><b>" + xmlText(formula(best.model)) + "</b></p>\n";

@@ -179,8 +179,8 @@ TEST_F(TuningDock, TheSliderFromDisturbanceToSetPointMovesBothResponses) {
 TEST_F(TuningDock, TheBodePlotHasTheMarginsOfTheTable) {
     findSteps();
     auto* tabs = part<QTabWidget>("tuningCharts");
-    ASSERT_EQ(tabs->count(), 3);
-    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(1).center());
+    ASSERT_EQ(tabs->count(), 4);
+    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(2).center());
     auto* bode = part<plot::FigureView>("tuningBode");
     EXPECT_TRUE(bode->isVisible());
     ASSERT_EQ(bode->figure().charts.size(), 2U);
@@ -199,7 +199,7 @@ TEST_F(TuningDock, HowTheLoopIsDoingIsATabAndAPageInAFile) {
     EXPECT_FALSE(part<QPushButton>("tuningReport")->isEnabled());
     findSteps();
     auto* tabs = part<QTabWidget>("tuningCharts");
-    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(2).center());
+    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(3).center());
     EXPECT_TRUE(part<QLabel>("tuningHealthWords")->isVisible());
     EXPECT_TRUE(part<QLabel>("tuningHealthWords")->text().contains("oscillate"));
     EXPECT_EQ(part<QTreeWidget>("tuningHealthFigures")->topLevelItemCount(), 6);
@@ -243,11 +243,13 @@ TEST_F(TuningDock, PicturesForALook) {
         kit::Theme::current().setChoice(isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
         for (const QSize size : {QSize(1600, 1000), QSize(1024, 700)}) {
             window->resize(size);
-            for (int tab = 0; tab < 2; ++tab) {
+            const char* const figures[] = {"tuningData", "tuningTrial", "tuningBode", "tuningRecorded"};
+            for (int tab = 0; tab < 4; ++tab) {
                 tabs->setCurrentIndex(tab);
                 keepPicture(QString("tuning_%1_%2_%3").arg(size.width()).arg(tab).arg(isDark));
-                EXPECT_GT(part<plot::FigureView>(tab ? "tuningBode" : "tuningTrial")->frames().front().area.height(),
-                          20);
+                const auto frames = part<plot::FigureView>(figures[tab])->frames();
+                ASSERT_FALSE(frames.empty()) << figures[tab];
+                EXPECT_GT(frames.front().area.height(), 20) << figures[tab];
             }
         }
     }
