@@ -53,7 +53,7 @@ ThemeColors makeLight() {
     c.plotGap = rgb("#eceef2");
     c.plotTrigger = rgb("#b8348f");
     for (const char* curve :
-         {"#2563d9", "#d9480f", "#1a8a3f", "#c2255c", "#7048d8", "#0a8296", "#a86a08", "#59616d", "#a02fb3", "#578000"})
+         {"#2563d9", "#d9480f", "#1a8a3f", "#b0164e", "#4c1d95", "#0996ab", "#6b4100", "#7d8591", "#cc33ff", "#003366"})
         c.curves.push_back(rgb(curve));
     return c;
 }
@@ -90,7 +90,7 @@ ThemeColors makeDark() {
     c.plotGap = rgb("#22252b");
     c.plotTrigger = rgb("#f07acb");
     for (const char* curve :
-         {"#5a9bff", "#ff8a4c", "#4cc472", "#ff6f9f", "#a98bff", "#3fc6d8", "#e3b341", "#aab2bf", "#d97be8", "#a3cc3d"})
+         {"#5a9bff", "#ff8a4c", "#3fb866", "#ff5c93", "#cdbcff", "#35dbe8", "#ffe27a", "#8f98a6", "#c24fe0", "#7f9a2a"})
         c.curves.push_back(rgb(curve));
     return c;
 }
@@ -129,7 +129,7 @@ ThemeColors makeContrast() {
     c.plotGap = rgb("#333333");
     c.plotTrigger = rgb("#ff80ff");
     for (const char* curve :
-         {"#66b8ff", "#ff9d5c", "#4dff88", "#ff8fbb", "#c9b0ff", "#33e6ff", "#ffe14d", "#ffffff", "#f29cff", "#c6f24d"})
+         {"#66b8ff", "#ff9d5c", "#4dff88", "#ff7fb0", "#e2d4ff", "#33d6f0", "#ffe14d", "#ffffff", "#ff6666", "#00cc00"})
         c.curves.push_back(rgb(curve));
     return c;
 }

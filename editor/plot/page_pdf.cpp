@@ -65,7 +65,7 @@ Result<void> exportPage(const std::string& html, const std::string& title, const
         const QSizeF page = writer.pageLayout().paintRectPixels(96).size();
         QTextDocument document;
         document.setDocumentMargin(0);
-        document.setDefaultStyleSheet(QStringLiteral("pre{font-size:7pt} td{padding-right:18px}"));
+        document.setDefaultStyleSheet(QStringLiteral("pre{font-size:7pt} td,th{font-size:8pt}"));
         QFont font = document.defaultFont();
         font.setPointSizeF(9);
         document.setDefaultFont(font);

@@ -43,13 +43,24 @@ tuning::Wish TuningView::wish() const {
             m_tracking->value() / 100.0, tuning::samplingDelay(m_finding->settings.cycle)};
 }
 
-tuning::ProcessModel TuningView::model() const {
-    const auto& models = m_finding->study.models;
-    return models[std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), models.size() - 1)].model;
+size_t TuningView::modelIndex() const {
+    return std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), m_finding->study.models.size() - 1);
+}
+
+tuning::ProcessModel TuningView::model() const { return m_finding->study.models[modelIndex()].model; }
+
+/// The formula, how well its parameters are known, and whether the gain is the same everywhere.
+void TuningView::showModelWords() {
+    const tuning::Identified& shown = m_finding->study.models[modelIndex()];
+    QStringList lines{kit::fromView(formula(shown.model))}, bounds;
+    for (const Message& bound : boundWords(shown)) bounds << kit::messageText(bound);
+    if (!bounds.isEmpty()) lines << bounds.join(QStringLiteral(", "));
+    for (const Message& words : gainWords(shown)) lines << kit::messageText(words);
+    m_formula->setText(lines.join(QLatin1Char('\n')));
 }
 
 void TuningView::propose() {
-    if (m_isFilling || !m_finding || m_kind->count() == 0) return;
+    if (m_isFilling || !m_finding || m_finding->study.models.empty()) return;
     const tuning::ProcessModel process = model();
     tuning::LoopConditions conditions{m_finding->settings.cycle, tuning::noiseOf(m_finding->series.output), 0};
     const auto rule = static_cast<tuning::Rule>(m_rule->currentData().toInt());
@@ -62,7 +73,7 @@ void TuningView::propose() {
         m_parameters = tuning::parametersOf(*m_finding->loop.form, *gains, m_finding->settings.cycle);
         m_proposal = tuning::assess(process, *gains, conditions);
     }
-    m_formula->setText(kit::fromView(formula(process)));
+    showModelWords();
     QStringList words;
     if (!m_proposal) words << tr("The rule does not apply to this process; choose another rule.");
     if (m_proposal)
@@ -114,7 +125,7 @@ void TuningView::showTable() {
 
 void TuningView::showCharts() {
     const tuning::Study& study = m_finding->study;
-    const auto index = std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), study.models.size() - 1);
+    const size_t index = modelIndex();
     waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     waveform::Chart residual{tr("Residuals of the model").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     for (size_t i = 0; i < study.used.size(); ++i) {
@@ -136,8 +147,8 @@ void TuningView::showCharts() {
             chart.curves.push_back(curveOf((*m_proposal).*which, tr("proposed"), 0));
         return chart;
     };
-    m_setPoint->setChart(response(tr("Step of the set point"), &tuning::Assessment::setPointTrajectory));
-    m_load->setChart(response(tr("Step of the load"), &tuning::Assessment::loadTrajectory));
+    m_setPoint->setChart(response(tr("Set point"), &tuning::Assessment::setPointTrajectory));
+    m_load->setChart(response(tr("Disturbance"), &tuning::Assessment::loadTrajectory));
     showBode();
 }
 
@@ -215,7 +226,7 @@ Result<loops::TrialRun> TuningView::trialOf(const tuning::FoundStep& step, const
 
 /// The block itself, over the recorded change that is selected.
 void TuningView::tryOut() {
-    if (!m_finding) return;
+    if (!m_finding || m_finding->study.models.empty()) return;
     const tuning::FoundStep& step = m_finding->study.steps[triedStep()];
     const QString title = step.moved == tuning::Moved::Load ? tr("The recorded disturbance with these settings")
                                                             : tr("The recorded step with these settings");
@@ -241,6 +252,7 @@ void TuningView::tryOut() {
 
 void TuningView::refreshButtons() {
     const bool isOnline = m_control.session() && !m_control.showsRecorded();
+    m_report->setEnabled(!m_isSearching && m_finding != nullptr);
     m_find->setEnabled(!m_isSearching && m_control.run() && m_loop->count() > 0);
     m_write->setEnabled(!m_isSearching && isOnline && m_proposal && (!writes().empty() || !constantEdits().empty()));
     m_back->setEnabled(isOnline && (!m_before.empty() || m_edited));

@@ -13,6 +13,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QSplitter>
 #include <QTabWidget>
@@ -85,8 +86,12 @@ QWidget* TuningView::makeHead() {
     m_find->setObjectName("tuningFind");
     m_find->setToolTip(
         tr("Searches the recording for steps of the set point and of the output and fits a model of the process."));
+    m_report = new QPushButton(kit::icon(kit::Icon::Export), tr("Report…"), head);
+    m_report->setObjectName("tuningReport");
+    m_report->setToolTip(tr("Saves a report on the loop with model and settings as HTML or PDF."));
     m_state = new QLabel(head);
     m_state->setObjectName("tuningState");
+    m_state->setWordWrap(true);
     m_write = new QPushButton(kit::icon(kit::Icon::Write), tr("Write Parameters"), head);
     m_write->setObjectName("tuningWrite");
     m_write->setToolTip(tr("Writes all parameters in one scan."));
@@ -96,8 +101,9 @@ QWidget* TuningView::makeHead() {
     row->addWidget(new QLabel(tr("Loop:"), head));
     for (QWidget* part : {static_cast<QWidget*>(m_loop), static_cast<QWidget*>(m_find)}) row->addWidget(part);
     row->addWidget(m_state, 1);
-    for (QWidget* part : {m_write, m_back}) row->addWidget(part);
+    for (QWidget* part : {m_report, m_write, m_back}) row->addWidget(part);
     connect(m_find, &QPushButton::clicked, this, &TuningView::findSteps);
+    connect(m_report, &QPushButton::clicked, this, &TuningView::saveReport);
     connect(m_write, &QPushButton::clicked, this, &TuningView::writeParameters);
     connect(m_back, &QPushButton::clicked, this, &TuningView::takeBack);
     return head;
@@ -172,7 +178,16 @@ QWidget* TuningView::makeSettings() {
     for (QComboBox* box : {m_model, m_rule, m_kind})
         connect(box, &QComboBox::currentIndexChanged, this, &TuningView::propose);
     for (QSlider* each : {m_brisk, m_tracking}) connect(each, &QSlider::valueChanged, this, &TuningView::propose);
-    return page;
+    // a low dock shows some rows of each list and scrolls to the rest
+    m_steps->setMinimumHeight(110);
+    m_figures->setMinimumHeight(170);
+    auto* scrolled = new QScrollArea;
+    scrolled->setWidget(page);
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled->setMinimumWidth(page->minimumSizeHint().width());
+    return scrolled;
 }
 
 QWidget* TuningView::makeCharts() {
@@ -194,16 +209,17 @@ QWidget* TuningView::makeCharts() {
     m_trial->setObjectName("tuningTrial");
     m_setPoint->setObjectName("tuningSetPoint");
     m_load->setObjectName("tuningLoad");
-    grid->addWidget(m_data, 0, 0);
-    grid->addWidget(m_trial, 0, 1);
+    grid->addWidget(m_trial, 0, 0, 1, 2);
     grid->addWidget(m_setPoint, 1, 0);
     grid->addWidget(m_load, 1, 1);
     auto* tabs = new QTabWidget;
     tabs->setObjectName("tuningCharts");
     tabs->setAccessibleName(tr("Charts of the loop"));
     tabs->setDocumentMode(true);
+    tabs->addTab(m_data, tr("Model"));
     tabs->addTab(page, tr("Responses"));
     tabs->addTab(m_bode, tr("Bode Plot"));
+    tabs->addTab(makeHealth(), tr("Health"));
     return tabs;
 }
 
@@ -258,32 +274,53 @@ void TuningView::findSteps() {
     if (!loop || m_isSearching) return;
     const history::History& history = run->history();
     const bool isLive = m_control.session() && run == m_control.session();
-    runAside([loop = *loop, program = run->program(), image = run->snapshot(),
-              input = isLive ? m_control.session()->built().input : nullptr,
-              &history]() -> Result<std::shared_ptr<Finding>> {
-        auto finding = std::make_shared<Finding>();
-        finding->loop = loop;
-        finding->program = program;
-        finding->input = input;
-        auto series = loops::seriesOf(history, loops::signalsOf(loop));
-        if (!series) return series.error();
-        finding->series = std::move(*series);
-        auto study = tuning::study(finding->series);
-        if (!study) return study.error();
-        finding->study = std::move(*study);
-        finding->settings = loops::settingsOf(loop, *program, image);
-        const history::Statistics all = history.statistics();
-        finding->first = all.first;
-        finding->end = all.end;
-        return finding;
+    auto finding = std::make_shared<Finding>();
+    finding->loop = *loop;
+    finding->program = run->program();
+    finding->input = isLive ? m_control.session()->built().input : nullptr;
+    runAside([finding = std::move(finding), image = run->snapshot(), &history] {
+        return searched(finding, history, image);
     });
+}
+
+Result<std::shared_ptr<TuningView::Finding>> TuningView::searched(std::shared_ptr<Finding> finding,
+                                                                  const history::History& history,
+                                                                  std::span<const std::byte> image) {
+    auto series = loops::seriesOf(history, loops::signalsOf(finding->loop));
+    if (!series) return series.error();
+    finding->series = std::move(*series);
+    finding->settings = loops::settingsOf(finding->loop, *finding->program, image);
+    finding->series.low = finding->settings.low;
+    finding->series.high = finding->settings.high;
+    auto study = tuning::study(finding->series);
+    if (study) {
+        finding->study = std::move(*study);
+    } else { // what was found and why none of it is usable; how the loop is doing can be said all the same
+        finding->study.steps = tuning::findSteps(finding->series);
+        finding->problem = study.error();
+    }
+    look(*finding);
+    const history::Statistics all = history.statistics();
+    finding->first = all.first;
+    finding->end = all.end;
+    return finding;
+}
+
+void TuningView::look(Finding& finding) {
+    std::optional<tuning::LoopFigures> now;
+    if (!finding.study.models.empty())
+        now = tuning::analyse(finding.study.models.front().model, finding.settings.gains,
+                              tuning::samplingDelay(finding.settings.cycle));
+    finding.health = tuning::healthOf(finding.series, tuning::limitsOf(finding.series, now));
 }
 
 void TuningView::show(std::shared_ptr<Finding> finding) {
     m_finding = std::move(finding);
     const tuning::Study& study = m_finding->study;
     m_state->setText(
-        tr("%n step(s) found, %1 used.", nullptr, static_cast<int>(study.steps.size())).arg(study.used.size()));
+        m_finding->problem
+            ? kit::messageText(*m_finding->problem)
+            : tr("%n step(s) found, %1 used.", nullptr, static_cast<int>(study.steps.size())).arg(study.used.size()));
     m_isFilling = true;
     showSteps();
     m_model->clear();
@@ -297,7 +334,23 @@ void TuningView::show(std::shared_ptr<Finding> finding) {
         m_kind->addItem(names[static_cast<size_t>(kind)], static_cast<int>(kind));
     m_kind->setCurrentIndex(std::min(1, m_kind->count() - 1));
     m_isFilling = false;
-    propose();
+    if (study.models.empty())
+        clearProposal();
+    else
+        propose();
+    showHealth();
+}
+
+/// There is no model: nothing of an earlier one stays.
+void TuningView::clearProposal() {
+    m_now.reset();
+    m_proposal.reset();
+    m_parameters.clear();
+    m_trialTimer.stop();
+    for (QLabel* text : {m_formula, m_words, m_constants}) text->clear();
+    m_figures->clear();
+    for (plot::FigureView* view : {m_data, m_setPoint, m_load, m_trial, m_bode}) view->setFigure({});
+    refreshButtons();
 }
 
 void TuningView::showSteps() {
@@ -332,6 +385,8 @@ void TuningView::fitChosenSteps() {
         auto study = tuning::study(changed->series, changed->study.steps, chosen);
         if (!study) return study.error();
         changed->study = std::move(*study);
+        changed->problem.reset();
+        look(*changed);
         return changed;
     });
 }

@@ -5,8 +5,7 @@
 #include "editor/debug/run_control.h"
 #include "projects/loops/call_constants.h"
 #include "projects/loops/trial.h"
-#include "projects/tuning/find.h"
-#include "projects/tuning/proposal.h"
+#include "projects/tuning/loop_report.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -35,6 +34,9 @@ public:
     void findSteps();
     void writeParameters();
     void takeBack();
+    void saveReport();
+    /// As the suffix says: .pdf, else HTML.
+    void writeReport(const QString& path);
 
 signals:
     void message(const QString& text, bool isError);
@@ -47,13 +49,16 @@ private:
         loops::ProgramPointer program;
         std::shared_ptr<const driver::BuildInput> input; // null: a recording from a file
         tuning::LoopSeries series;
-        tuning::Study study;
+        tuning::Study study;          // without models where none was found:
+        std::optional<Error> problem; // why
+        tuning::Health health;
         loops::Settings settings;
         history::Position first = 0, end = 0; // of the recording when it was searched
     };
     QWidget* makeHead();
     QWidget* makeSettings();
     QWidget* makeCharts();
+    QWidget* makeHealth();
     void listLoops();
     void runAside(std::function<Result<std::shared_ptr<Finding>>()> work);
     void show(std::shared_ptr<Finding> finding);
@@ -62,6 +67,10 @@ private:
     void propose();
     void showCharts();
     void showBode();
+    void showHealth();
+    void showModelWords();
+    void clearProposal();
+    [[nodiscard]] tuning::LoopReport report() const;
     void showTable();
     void tryOut();
     [[nodiscard]] size_t triedStep() const;
@@ -71,17 +80,21 @@ private:
     void refreshButtons();
     [[nodiscard]] std::optional<loops::Loop> chosenLoop() const;
     [[nodiscard]] tuning::Wish wish() const;
+    [[nodiscard]] size_t modelIndex() const;
     [[nodiscard]] tuning::ProcessModel model() const;
+    static Result<std::shared_ptr<Finding>> searched(std::shared_ptr<Finding> finding, const history::History& history,
+                                                     std::span<const std::byte> image);
+    static void look(Finding& finding);
     [[nodiscard]] std::vector<loops::ParameterWrite> writes() const;
     [[nodiscard]] std::vector<loops::ConstantEdit> constantEdits() const;
 
     RunControl& m_control;
     QComboBox *m_loop, *m_model, *m_rule, *m_kind;
-    QPushButton *m_find, *m_write, *m_back;
+    QPushButton *m_find, *m_report, *m_write, *m_back;
     QSlider *m_brisk, *m_tracking;
-    QTreeWidget *m_steps, *m_figures;
-    QLabel *m_state, *m_formula, *m_words, *m_constants;
-    plot::FigureView *m_data, *m_setPoint, *m_load, *m_trial, *m_bode;
+    QTreeWidget *m_steps, *m_figures, *m_healthFigures;
+    QLabel *m_state, *m_formula, *m_words, *m_constants, *m_healthWords;
+    plot::FigureView *m_data, *m_setPoint, *m_load, *m_trial, *m_bode, *m_recorded;
     std::shared_ptr<Finding> m_finding;
     std::optional<tuning::Assessment> m_now, m_proposal;
     std::vector<tuning::ParameterValue> m_parameters;

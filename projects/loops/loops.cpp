@@ -78,39 +78,28 @@ void visit(const image::CompiledProgram& program, const std::string& path, types
         if (types.isAggregate(field.type)) visit(program, path + "." + field.name, field.type, depth + 1, out);
 }
 
-/// An expression and what it is in the other versions of the program that the recording holds.
-class Meaning {
-public:
-    Meaning(const history::History& history, std::string text) : m_text(std::move(text)) {
+/// What the text means in a version of the program that the recording holds: the front end is asked again, each reader
+/// of a history keeps the answer for as long as it reads.
+history::Recompile recompileOf(const history::History& history, const std::string& text) {
+    return [&history, text](const image::CompiledProgram& version) {
         for (const ProgramPointer& program : history.programs()) {
+            if (program.get() != &version) continue;
             const driver::Checked checked = driver::checkedOf(program);
-            if (!checked.analysis) continue;
-            auto expression = driver::compileExpression(checked, m_text);
-            if (expression)
-                m_expressions[program.get()] = *expression;
-            else
-                m_problem = expression.error();
-            m_newest = program.get();
+            if (!checked.analysis) break;
+            auto compiled = driver::compileExpression(checked, text);
+            return compiled ? std::move(*compiled) : expression::Expression();
         }
-    }
-    [[nodiscard]] Result<expression::Expression> newest() const {
-        const auto found = m_expressions.find(m_newest);
-        if (found != m_expressions.end()) return found->second;
-        return m_problem ? *m_problem : Error{errors::NoProgramInRecording(), m_text};
-    }
-    [[nodiscard]] history::Recompile recompile() const {
-        return [this](const image::CompiledProgram& program) {
-            const auto found = m_expressions.find(&program);
-            return found != m_expressions.end() ? found->second : expression::Expression();
-        };
-    }
+        return expression::Expression();
+    };
+}
 
-private:
-    std::string m_text;
-    std::map<const image::CompiledProgram*, expression::Expression> m_expressions;
-    const image::CompiledProgram* m_newest = nullptr;
-    std::optional<Error> m_problem;
-};
+Result<expression::Expression> newestMeaning(const history::History& history, const std::string& text) {
+    const auto programs = history.programs();
+    for (auto program = programs.rbegin(); program != programs.rend(); ++program)
+        if (const driver::Checked checked = driver::checkedOf(*program); checked.analysis)
+            return driver::compileExpression(checked, text);
+    return Error{errors::NoProgramInRecording(), text};
+}
 
 } // namespace
 
@@ -181,19 +170,17 @@ namespace {
 class Channel {
 public:
     static Result<std::unique_ptr<Channel>> of(const history::History& history, const std::string& text) {
-        auto out = std::unique_ptr<Channel>(new Channel(history, text));
-        const auto expression = out->m_meaning.newest();
+        const auto expression = newestMeaning(history, text);
         if (!expression) return expression.error();
         const types::Family family = expression->types().family(expression->type());
         if (family == types::Family::Other || family == types::Family::Character ||
             expression->types().isAggregate(expression->type()))
             return Error{errors::NotASignal(), text};
-        out->m_expression = *expression;
-        return out;
+        return std::unique_ptr<Channel>(new Channel(*expression, recompileOf(history, text)));
     }
     void read(const history::History& history, const std::vector<history::PositionRange>& ranges, bool wantsTime) {
         for (const history::PositionRange& range : ranges)
-            forEachSample(history, m_expression, m_meaning.recompile(), range, [&](const history::Sample& sample) {
+            forEachSample(history, m_expression, m_recompile, range, [&](const history::Sample& sample) {
                 if (wantsTime) time.push_back(std::chrono::duration<double>(sample.at.time).count());
                 values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
             });
@@ -201,9 +188,10 @@ public:
     std::vector<double> time, values;
 
 private:
-    Channel(const history::History& history, const std::string& text) : m_meaning(history, text) {}
-    Meaning m_meaning;
+    Channel(expression::Expression expression, history::Recompile recompile)
+        : m_expression(std::move(expression)), m_recompile(std::move(recompile)) {}
     expression::Expression m_expression;
+    history::Recompile m_recompile;
 };
 
 } // namespace

@@ -60,6 +60,25 @@ size_t nextLevel(const std::vector<double>& values, size_t from, double toleranc
     return values.size();
 }
 
+/// A ramp with noise on it looks like a stair: steps in the same direction that follow each other at once are one.
+std::vector<Change> joined(const std::vector<Change>& changes) {
+    std::vector<Change> out;
+    for (const Change& change : changes) {
+        if (!out.empty()) {
+            Change& before = out.back();
+            const bool isOnward = (change.to - change.from) * (before.to - before.from) > 0;
+            const size_t rest = change.start - std::min(change.start, before.settled);
+            if (isOnward && rest <= std::max(2 * kQuiet, before.settled - before.start)) {
+                before.settled = change.settled;
+                before.to = change.to;
+                continue;
+            }
+        }
+        out.push_back(change);
+    }
+    return out;
+}
+
 std::vector<Change> changesOf(const std::vector<double>& values) {
     std::vector<Change> out;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -92,7 +111,7 @@ std::vector<Change> changesOf(const std::vector<double>& values) {
         i = last - 1;
         away = 0;
     }
-    return out;
+    return joined(out);
 }
 
 bool staysPut(const std::vector<double>& values, size_t begin, size_t end, double tolerance) {
@@ -105,6 +124,7 @@ struct Context {
     const LoopSeries& series;
     double noise = 0; // of the output
     double inputRange = 0, inputLow = 0, inputHigh = 0;
+    double outputLow = 0, outputHigh = 0;
 };
 
 /// The output in so many blocks: their means.
@@ -157,6 +177,48 @@ bool hasGap(const LoopSeries& series, const FoundStep& step, double noise) {
     return false;
 }
 
+/// Share of the samples in per cent at which a sensor is at the end of its range: the measured value rises, stops all
+/// at once and stays exactly there, at the greatest or least value of the whole recording.
+size_t cutOff(const Context& context, const FoundStep& step) {
+    const std::vector<double>& values = context.series.output;
+    const size_t length = step.end - step.step, window = std::max<size_t>(length / 50, 3);
+    if (step.settled > step.step + 3 || length < 10 * window) return 0; // behind a ramp much stops all at once
+    for (const double limit : {context.outputLow, context.outputHigh}) {
+        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(step.step);
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(step.end);
+        const auto count = static_cast<size_t>(std::count(begin, end, limit));
+        const auto reached = static_cast<size_t>(std::find(begin, end, limit) - begin);
+        if (count * 10 < length || reached < 3 * window || count * 10 < (length - reached) * 2) continue;
+        const auto moved = [&](size_t at) {
+            return std::abs(meanOf(values, step.step + at - 1, step.step + at + 1) -
+                            meanOf(values, step.step + at - window - 1, step.step + at - window + 1));
+        };
+        double quickest = 0;
+        for (size_t at = window + 1; at < reached; ++at) quickest = std::max(quickest, moved(at));
+        if (moved(reached) > std::max(0.3 * quickest, 6 * context.noise)) return count * 100 / length;
+    }
+    return 0;
+}
+
+/// Share of the samples in per cent at which the controller's output is at a limit; the recording's own extremes where
+/// no limit is known.
+size_t atLimit(const Context& context, const FoundStep& step) {
+    if (!(context.inputRange > 0)) return 0;
+    const double near = 1e-6 * context.inputRange;
+    const double low = context.series.low.value_or(context.inputLow) + near;
+    const double high = context.series.high.value_or(context.inputHigh) - near;
+    size_t limited = 0;
+    for (size_t i = step.step; i < step.end; ++i)
+        limited += context.series.input[i] <= low || context.series.input[i] >= high;
+    return limited * 100 / std::max<size_t>(step.end - step.step, 1);
+}
+
+/// By hand to where the valve cannot go further: what was meant may have been more.
+bool isPutToLimit(const LoopSeries& series, const FoundStep& step) {
+    return step.moved == Moved::Input &&
+           ((series.low && step.to <= *series.low) || (series.high && step.to >= *series.high));
+}
+
 void judge(const Context& context, FoundStep& step) {
     const LoopSeries& series = context.series;
     const size_t after = step.end - step.step;
@@ -175,13 +237,11 @@ void judge(const Context& context, FoundStep& step) {
     constexpr size_t kLeast = 15;
     if (after < kLeast) return say(Verdict::TooShort, errors::StepTooShort(after));
     if (hasGap(series, step, context.noise)) return say(Verdict::Disturbed, errors::StepHasGap());
-    if (step.moved == Moved::SetPoint && context.inputRange > 0) {
-        const double near = 1e-6 * context.inputRange;
-        size_t limited = 0;
-        for (size_t i = step.step; i < step.end; ++i)
-            limited += series.input[i] <= context.inputLow + near || series.input[i] >= context.inputHigh - near;
-        if (limited * 10 > after * 6) return say(Verdict::Saturated, errors::StepSaturated(limited * 100 / after));
-    }
+    constexpr size_t kOften = 60;
+    if (const size_t share = step.moved == Moved::SetPoint ? atLimit(context, step) : 0; share > kOften)
+        return say(Verdict::Saturated, errors::StepSaturated(share));
+    if (const size_t share = cutOff(context, step); share > 0)
+        return say(Verdict::Saturated, errors::StepCutOff(share));
     if (change <= std::max(6 * perBlock, 0.5 * context.noise) || change <= 0)
         return say(Verdict::Noisy, errors::StepNoisy(std::round(step.signalToNoise * 10) / 10));
     // at rest: the two halves of what was before agree
@@ -189,10 +249,20 @@ void judge(const Context& context, FoundStep& step) {
     const double drift = std::abs(meanOf(series.output, step.begin, half) - meanOf(series.output, half, step.step));
     const double ofHalf = context.noise / std::sqrt(static_cast<double>(std::max<size_t>(half - step.begin, 1)));
     step.startsAtRest = half > step.begin && drift <= std::max(0.001 * change, 4 * ofHalf);
-    if (step.startsAtRest)
-        say(Verdict::Usable, errors::StepUsable());
-    else
-        say(Verdict::Usable, errors::StepNotAtRest());
+    say(Verdict::Usable, !step.startsAtRest           ? errors::StepNotAtRest()
+                         : isPutToLimit(series, step) ? errors::StepAtLimit()
+                                                      : errors::StepUsable());
+}
+
+/// From one level straight to the next, as a ramp goes; a controller does not.
+bool isStraight(const std::vector<double>& values, const Change& change) {
+    const double height = change.to - change.from;
+    const auto length = static_cast<double>(change.settled - change.start + 1);
+    for (size_t i = change.start; i < change.settled; ++i) {
+        const double share = static_cast<double>(i - change.start + 1) / length;
+        if (std::abs(values[i] - change.from - share * height) > 0.02 * std::abs(height)) return false;
+    }
+    return true;
 }
 
 /// Steps of the input count where it is put by hand: it keeps one value before and another after. Where no set point is
@@ -200,12 +270,34 @@ void judge(const Context& context, FoundStep& step) {
 bool isByHand(const LoopSeries& series, const Change& change, double range) {
     constexpr size_t kHeld = 12;
     if (series.setPoint.empty()) return true;
-    if (change.settled > change.start + 3 || std::abs(change.to - change.from) < 0.02 * range) return false;
+    if (std::abs(change.to - change.from) < 0.02 * range) return false;
+    if (change.settled > change.start + 3 && !isStraight(series.input, change)) return false;
     const size_t before = change.start > kHeld ? change.start - kHeld : 0;
     const size_t after = std::min(change.settled + kHeld, series.size());
     const double tolerance = 1e-9 * range;
     return staysPut(series.input, before, change.start, tolerance) &&
            staysPut(series.input, change.settled, after, tolerance);
+}
+
+} // namespace
+
+namespace {
+
+/// Of an integer that comes and goes by one: most differences are 0, and so is their median.
+double noiseOfSteps(const std::vector<double>& seconds) {
+    double quantum = 0;
+    size_t moved = 0;
+    const double rounding = seconds.empty() ? 0 : 1e-6 * *std::max_element(seconds.begin(), seconds.end());
+    for (const double second : seconds) {
+        if (second <= rounding) continue;
+        ++moved;
+        if (quantum == 0 || second < quantum) quantum = second;
+    }
+    constexpr size_t kRare = 50; // of so many one: somebody moves it
+    if (moved * kRare < seconds.size()) return 0;
+    double sum = 0;
+    for (const double second : seconds) sum += std::pow(std::min(second, 2 * quantum), 2);
+    return std::sqrt(sum / static_cast<double>(seconds.size()) / 6);
 }
 
 } // namespace
@@ -217,7 +309,8 @@ double noiseOf(const std::vector<double>& values) {
     std::vector<double> seconds;
     for (size_t i = 1; i + 1 < values.size(); i += stride)
         seconds.push_back(std::abs(values[i - 1] - 2 * values[i] + values[i + 1]));
-    return median(seconds) / (0.6745 * std::sqrt(6.0));
+    const double ofSteps = noiseOfSteps(seconds);
+    return std::max(median(seconds) / (0.6745 * std::sqrt(6.0)), ofSteps);
 }
 
 std::vector<FoundStep> findSteps(const LoopSeries& series) {
@@ -237,6 +330,8 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
     context.noise = noiseOf(series.output);
     const auto [low, high] = std::minmax_element(series.input.begin(), series.input.end());
     context.inputLow = *low, context.inputHigh = *high, context.inputRange = *high - *low;
+    const auto [least, greatest] = std::minmax_element(series.output.begin(), series.output.end());
+    context.outputLow = *least, context.outputHigh = *greatest;
     for (const Change& change : changesOf(series.input))
         if (isByHand(series, change, context.inputRange)) add(change, Moved::Input);
     std::stable_sort(out.begin(), out.end(), [](const FoundStep& a, const FoundStep& b) { return a.step < b.step; });

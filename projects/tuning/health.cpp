@@ -2,9 +2,11 @@
 
 #include "projects/tuning/errors.h"
 #include "projects/tuning/find.h"
+#include "projects/tuning/valve_fit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -80,64 +82,22 @@ std::pair<size_t, size_t> longestRow(const std::vector<HalfWave>& waves) {
     return best;
 }
 
-/// How much of a half wave is left by the best sine and the best triangle, their peaks where they fit best.
-struct Misfit {
-    double sine = 0, triangle = 0;
-};
-
-double leftBy(const std::vector<double>& values, const HalfWave& wave, double middle, double peakAt, bool isSine) {
-    const auto count = static_cast<double>(wave.end - wave.begin);
-    double products = 0, squares = 0, total = 0;
-    for (size_t i = wave.begin; i < wave.end; ++i) {
-        const double x = (static_cast<double>(i - wave.begin) + 0.5) / count;
-        const double rise = x < peakAt ? x / peakAt : (1 - x) / (1 - peakAt);
-        const double shape = isSine ? std::sin(rise * std::numbers::pi / 2) : rise;
-        const double value = values[i] - middle;
-        products += shape * value, squares += shape * shape, total += value * value;
-    }
-    return total - products * products / squares;
+/// A valve with friction explains much better what the process does than one without, which explains little enough by
+/// itself. Limits chosen on loops by chance (tests/projects/tuning/health_test.cpp).
+bool isSticking(const ValveFit& fit) {
+    constexpr double kBetter = 1.3, kUnexplained = 0.004, kExplained = 0.1;
+    return fit.gain() >= kBetter && fit.without > kUnexplained + 4 * fit.noise && fit.with < kExplained;
 }
 
-void addMisfit(const std::vector<double>& values, const HalfWave& wave, double middle, Misfit& sum) {
-    double sine = 1e300, triangle = 1e300;
-    for (const double peakAt : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
-        sine = std::min(sine, leftBy(values, wave, middle, peakAt, true));
-        triangle = std::min(triangle, leftBy(values, wave, middle, peakAt, false));
-    }
-    sum.sine += sine, sum.triangle += triangle;
-}
-
-/// Whether the half waves are triangles rather than sines.
-bool isTriangular(const std::vector<double>& values, size_t begin, size_t end) {
-    std::vector<double> stretch(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                                values.begin() + static_cast<std::ptrdiff_t>(end));
-    const auto [low, high] = std::minmax_element(stretch.begin(), stretch.end());
-    const double middle = std::accumulate(stretch.begin(), stretch.end(), 0.0) / static_cast<double>(stretch.size());
-    const double dead = 0.1 * (*high - *low);
-    for (double& value : stretch) value -= middle;
-    const std::vector<HalfWave> waves = halfWaves(stretch, dead);
-    Misfit misfit;
-    constexpr size_t kLeast = 8; // samples that have a shape
-    for (size_t i = 1; i + 1 < waves.size(); ++i) {
-        HalfWave whole = waves[i]; // from where it crosses the middle to where it comes back
-        while (whole.begin > 0 && stretch[whole.begin - 1] * stretch[waves[i].begin] > 0) --whole.begin;
-        while (whole.end > whole.begin + 1 && stretch[whole.end - 1] * stretch[waves[i].begin] < 0) --whole.end;
-        if (whole.end - whole.begin >= kLeast) addMisfit(stretch, whole, 0, misfit);
-    }
-    constexpr double kClearly = 1.15;
-    return misfit.triangle > 0 && misfit.sine > kClearly * misfit.triangle;
-}
-
-/// A valve that sticks moves in jumps, so that what comes behind the first integral of the loop is made of ramps: the
-/// output of the controller, or of a process that integrates the measured value. A loop that its settings make
-/// oscillate, and one that is moved from outside, go in sines.
+/// A loop that its settings make oscillate swings where its model says so; a valve that sticks moves in jumps, which a
+/// process behind friction explains and one without does not; the rest comes from outside.
 Cause causeOf(const LoopSeries& series, size_t begin, size_t end, double period, const LoopLimits& limits) {
     const double frequency = 2 * std::numbers::pi / period;
     constexpr double kLively = 2.0, kAtTheEdge = 5.0, kNear = 1.8;
     const bool isNear =
         limits.crossover > 0 && frequency < kNear * limits.crossover && limits.crossover < kNear * frequency;
     if (isNear && limits.sensitivity > kAtTheEdge) return Cause::Tuning;
-    if (isTriangular(series.input, begin, end) || isTriangular(series.output, begin, end)) return Cause::Stiction;
+    if (const auto fit = fitValve(series, begin, end, period); fit && isSticking(*fit)) return Cause::Stiction;
     if (isNear && limits.sensitivity > kLively) return Cause::Tuning;
     return Cause::Outside;
 }
@@ -164,6 +124,14 @@ std::optional<OscillationFinding> oscillationOf(const LoopSeries& series, const 
 }
 
 } // namespace
+
+LoopLimits limitsOf(const LoopSeries& series, const std::optional<LoopFigures>& now) {
+    LoopLimits out{series.low, series.high, 0, 0};
+    if (!now) return out;
+    out.sensitivity = now->isStable ? now->sensitivity : std::numeric_limits<double>::infinity();
+    out.crossover = now->crossover;
+    return out;
+}
 
 Health healthOf(const LoopSeries& series, const LoopLimits& limits) {
     Health out;

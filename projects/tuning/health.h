@@ -1,6 +1,7 @@
 // How a loop is doing, from its recording: whether it oscillates and what is likely to blame, how long the output was
 // at its limits, the error, the effort, the share of noise. Values and functions, any thread.
 #pragma once
+#include "projects/tuning/loop.h"
 #include "projects/tuning/series.h"
 
 #include <optional>
@@ -33,6 +34,8 @@ struct LoopLimits {
     double sensitivity = 0, crossover = 0;
 };
 
+/// `now`: of the loop with its present settings; an unstable one swings by itself.
+[[nodiscard]] LoopLimits limitsOf(const LoopSeries& series, const std::optional<LoopFigures>& now);
 [[nodiscard]] Health healthOf(const LoopSeries& series, const LoopLimits& limits);
 /// Sentences for the report, the most important first.
 [[nodiscard]] std::vector<Message> wordsOf(const Health& health);

@@ -73,16 +73,88 @@ bool isUpward(const Excerpt& excerpt) {
     return sum > 0;
 }
 
-/// A valve or heater often does more in one direction than in the other.
-void compareDirections(const std::vector<Excerpt>& excerpts, Identified& found) {
-    std::vector<Excerpt> up, down;
-    for (const Excerpt& excerpt : excerpts) (isUpward(excerpt) ? up : down).push_back(excerpt);
-    if (up.empty() || down.empty()) return;
-    const double gainUp = gainOf(found.model, up), gainDown = gainOf(found.model, down);
+/// What one step alone says, when everything but the gain stays.
+struct SingleGain {
+    double gain = 0, level = 0, travel = 0; // level and travel of the measured value
+    bool isUp = false;
+};
+
+std::vector<SingleGain> singleGains(const std::vector<Excerpt>& excerpts, const ProcessModel& model) {
+    std::vector<SingleGain> out;
+    for (const Excerpt& excerpt : excerpts) {
+        const auto [low, high] = std::minmax_element(excerpt.output.begin(), excerpt.output.end());
+        out.push_back({gainOf(model, {excerpt}), (*low + *high) / 2, *high - *low, isUpward(excerpt)});
+    }
+    std::sort(out.begin(), out.end(), [](const SingleGain& a, const SingleGain& b) { return a.level < b.level; });
+    return out;
+}
+
+/// Two groups of steps, and how far the gains inside them are spread.
+struct Grouped {
+    double first = 0, second = 0, firstLevel = 0, secondLevel = 0;
+    double scatter = 1e300; // squares
+    bool isApart = false;   // the measured values of the two have nothing in common
+};
+
+template <class IsFirst> std::optional<Grouped> grouped(const std::vector<SingleGain>& all, const IsFirst& isFirst) {
+    double count[2] = {}, gain[2] = {}, level[2] = {};
+    for (size_t i = 0; i < all.size(); ++i) {
+        const int group = isFirst(i) ? 0 : 1;
+        count[group] += 1, gain[group] += all[i].gain, level[group] += all[i].level;
+    }
+    if (count[0] == 0 || count[1] == 0) return std::nullopt;
+    Grouped out{gain[0] / count[0], gain[1] / count[1], level[0] / count[0], level[1] / count[1], 0};
+    for (size_t i = 0; i < all.size(); ++i)
+        out.scatter += std::pow(all[i].gain - (isFirst(i) ? out.first : out.second), 2);
+    return out;
+}
+
+double highest(const std::vector<SingleGain>& all, size_t end) {
+    double out = -1e300;
+    for (size_t i = 0; i < end; ++i) out = std::max(out, all[i].level + all[i].travel / 2);
+    return out;
+}
+
+double lowest(const std::vector<SingleGain>& all, size_t begin) {
+    double out = 1e300;
+    for (size_t i = begin; i < all.size(); ++i) out = std::min(out, all[i].level - all[i].travel / 2);
+    return out;
+}
+
+/// Below and above some level; the groups do not overlap.
+std::optional<Grouped> groupedByLevel(const std::vector<SingleGain>& all) {
+    std::optional<Grouped> best;
+    for (size_t split = 1; split < all.size(); ++split) {
+        // next to each other they tell nothing of the operating point
+        if (all[split].level - all[split - 1].level < 0.5 * std::min(all[split].travel, all[split - 1].travel))
+            continue;
+        const auto now = grouped(all, [&](size_t i) { return i < split; });
+        if (!now || (best && now->scatter >= best->scatter)) continue;
+        best = now;
+        best->isApart = highest(all, split) + 0.1 * all[split].travel < lowest(all, split);
+    }
+    return best;
+}
+
+/// A valve or heater often does more in one direction than in the other, or more in one part of its range.
+void compareGains(const std::vector<Excerpt>& excerpts, Identified& found) {
+    const std::vector<SingleGain> all = singleGains(excerpts, found.model);
     const double bound = found.bounds.empty() ? 0 : found.bounds.front().halfWidth;
-    if (std::abs(gainUp - gainDown) < std::max(0.1 * std::abs(found.model.gain), 2 * bound)) return;
-    found.gainUp = gainUp;
-    found.gainDown = gainDown;
+    const double least = std::max(0.1 * std::abs(found.model.gain), 2 * bound);
+    const auto isClear = [&](const std::optional<Grouped>& groups) {
+        return groups && std::abs(groups->first - groups->second) >= least;
+    };
+    const auto byLevel = groupedByLevel(all);
+    const auto byDirection = grouped(all, [&](size_t i) { return all[i].isUp; });
+    const bool isLevel = isClear(byLevel), isDirection = isClear(byDirection);
+    // the same steps in both groupings: from one level up and down it is the direction
+    const bool isSame = isLevel && isDirection && byLevel->scatter > 0.8 * byDirection->scatter;
+    if (isLevel && (!isDirection || (isSame ? byLevel->isApart : byLevel->scatter < byDirection->scatter))) {
+        found.gainsAt = {{byLevel->firstLevel, byLevel->first}, {byLevel->secondLevel, byLevel->second}};
+    } else if (isDirection) {
+        found.gainUp = byDirection->first;
+        found.gainDown = byDirection->second;
+    }
 }
 
 /// A longer chain is tried only while the shorter one was worth it.
@@ -160,7 +232,7 @@ std::vector<Identified> identify(const std::vector<Excerpt>& excerpts) {
     order(all, excerpts);
     if (!all.empty()) {
         all.front().bounds = confidence(all.front().model, excerpts);
-        compareDirections(excerpts, all.front());
+        compareGains(excerpts, all.front());
     }
     return all;
 }

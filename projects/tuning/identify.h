@@ -26,6 +26,11 @@ struct Bound {
     double halfWidth = 0; // of the 95 % confidence interval
 };
 
+/// The gain about a level of the output.
+struct GainAt {
+    double level = 0, gain = 0;
+};
+
 struct Identified {
     ProcessModel model;
     Structure structure{};
@@ -36,6 +41,7 @@ struct Identified {
     std::vector<Bound> bounds;
     std::vector<std::vector<double>> simulated; // one for each excerpt
     std::optional<double> gainUp, gainDown;     // where steps in both directions say different things
+    std::vector<GainAt> gainsAt;                // where it depends on the operating point, rising
 };
 
 /// What the fit of one structure says; none where it does not fit at all.

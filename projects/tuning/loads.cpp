@@ -69,6 +69,7 @@ private:
     double m_calmSum = 0;
     size_t m_since = 0; // of what moves the process
     size_t m_floor = 0; // where it was at rest again
+    size_t m_until = 0; // the end of a ramp
     bool m_isAtRest = false, m_mustMove = false;
     std::optional<size_t> m_load; // its onset
     std::vector<FoundStep> m_out;
@@ -83,6 +84,7 @@ void LoadFinder::knownChange(const FoundStep& step) {
     m_mustMove = step.moved == Moved::Input;
     m_calm = 0;
     m_since = step.step;
+    m_until = step.settled < m_series.size() ? step.settled : step.step;
 }
 
 /// At rest after a while near the set point: longer after what took longer.
@@ -158,6 +160,7 @@ std::vector<FoundStep> LoadFinder::find() {
     auto next = m_steps.begin();
     for (size_t i = 0; i < m_error.size(); ++i) {
         for (; next != m_steps.end() && next->step <= i; ++next) knownChange(*next);
+        if (i < m_until) continue;
         constexpr double kNarrow = 0.5;
         if (isWithin(i, kNarrow)) {
             rest(i);

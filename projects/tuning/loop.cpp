@@ -33,6 +33,22 @@ std::pair<double, double> frequencyRange(const ProcessModel& process) {
     return {1e-3 / process.timeScale(), 300 / quickest};
 }
 
+std::vector<double> frequenciesFor(const ProcessModel& process, size_t points) {
+    const auto [low, high] = frequencyRange(process);
+    std::vector<double> out = logSpace(low, high, points);
+    if (!process.oscillation) return out;
+    const auto& [frequency, damping] = *process.oscillation;
+    constexpr int kBeside = 120; // on each side, at distances from a hundredth to ten times the width of the peak
+    for (int i = 0; i <= kBeside; ++i)
+        for (const double side : {-1.0, 1.0}) {
+            const double at = frequency * (1 + side * damping * 0.01 * std::pow(1e3, static_cast<double>(i) / kBeside));
+            if (at > low && at < high) out.push_back(at);
+        }
+    out.push_back(frequency);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
 std::vector<BodePoint> bode(const Response& response, double from, double to, size_t points) {
     std::vector<BodePoint> out;
     double turns = 0, before = 0;
@@ -50,8 +66,7 @@ namespace {
 
 /// Frequencies dense enough that the phase of the loop turns by less than a fifth of a radian between two.
 std::vector<double> frequencies(const ProcessModel& process, double delay) {
-    auto [low, high] = frequencyRange(process);
-    std::vector<double> out = logSpace(low, high, 1500);
+    std::vector<double> out = frequenciesFor(process, 1500);
     const double dead = process.deadTime + delay;
     if (dead <= 0) return out;
     std::vector<double> fine;

@@ -44,5 +44,8 @@ struct BodePoint {
 [[nodiscard]] std::vector<double> logSpace(double from, double to, size_t points);
 /// The range in which the process is of interest [rad/s].
 [[nodiscard]] std::pair<double, double> frequencyRange(const ProcessModel& process);
+/// About so many frequencies in that range, rising, and close to each other where the process has a resonance: a narrow
+/// one would be between two of them.
+[[nodiscard]] std::vector<double> frequenciesFor(const ProcessModel& process, size_t points);
 
 } // namespace plc::tuning

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace plc::tuning {
 
@@ -42,9 +43,8 @@ public:
         : m_process(process), m_distance(1 / sensitivity) {
         if (m_process.gain < 0) m_process.gain = -m_process.gain;
         m_process.deadTime += delay;
-        auto [low, high] = frequencyRange(m_process);
         // beyond the second time that the phase passes -180 degrees nothing is decided
-        m_omegas = logSpace(low, high, 1200);
+        m_omegas = frequenciesFor(m_process, 1200);
         for (const double omega : m_omegas) m_values.push_back(m_process.at(omega));
     }
 
@@ -81,14 +81,41 @@ public:
     [[nodiscard]] const std::vector<Complex>& values() const { return m_values; }
     [[nodiscard]] double distance() const { return m_distance; }
 
+    /// The same where a process that oscillates leaves room above an ellipse that a smaller integral gain is in: the
+    /// uppermost room that is stable, if it is more than `least`.
+    [[nodiscard]] double greatestAbove(double gain, double least) const {
+        std::vector<std::pair<double, double>> near;
+        for (size_t i = 0; i < m_omegas.size(); ++i) {
+            const auto [low, high] = edges(m_omegas[i], m_values[i], gain);
+            if (low < high && high > 0) near.emplace_back(low, high);
+        }
+        std::sort(near.begin(), near.end());
+        constexpr double kRoom = 1.02; // narrower, it is between two frequencies
+        std::vector<double> rooms;     // their upper ends
+        double covered = least;
+        for (const auto& [low, high] : near) {
+            if (low > covered * kRoom) rooms.push_back(low);
+            covered = std::max(covered, high);
+        }
+        for (auto top = rooms.rbegin(); top != rooms.rend(); ++top) {
+            const LoopFigures figures = analyse(m_process, {gain, gain / *top, 0, 0});
+            if (figures.isStable && figures.sensitivity * m_distance < 1.002) return *top;
+        }
+        return kNone;
+    }
+
 private:
-    /// The lower edge of the ellipse at this proportional gain.
-    [[nodiscard]] double bound(double omega, const Complex& value, double gain) const {
+    /// Of the ellipse at this proportional gain; the same value twice where it has no points.
+    [[nodiscard]] std::pair<double, double> edges(double omega, const Complex& value, double gain) const {
         const double a = value.real(), b = value.imag(), size = std::norm(value);
         const double inside = m_distance * m_distance * size - (a + size * gain) * (a + size * gain);
-        if (inside < 0 || -b + std::sqrt(inside) < 0)
-            return std::numeric_limits<double>::infinity(); // all of it below 0
-        return omega * (-b - std::sqrt(inside)) / size;
+        if (inside < 0) return {kNone, kNone};
+        return {omega * (-b - std::sqrt(inside)) / size, omega * (-b + std::sqrt(inside)) / size};
+    }
+    /// The lower edge, where some of the ellipse is above 0.
+    [[nodiscard]] double bound(double omega, const Complex& value, double gain) const {
+        const auto [low, high] = edges(omega, value, gain);
+        return low < high && high >= 0 ? low : std::numeric_limits<double>::infinity();
     }
     ProcessModel m_process;
     double m_distance;
@@ -110,7 +137,15 @@ std::optional<ControllerGains> proportional(const Plant& plant) {
 std::optional<ControllerGains> withIntegral(const Plant& plant) {
     const double limit = plant.greatestGain();
     if (!std::isfinite(limit)) return std::nullopt; // a first-order process without dead time takes any gain
-    const auto [gain, integral] = greatest(0, limit, 300, [&](double gain) { return plant.greatestIntegral(gain); });
+    auto [gain, integral] = greatest(0, limit, 300, [&](double gain) { return plant.greatestIntegral(gain); });
+    if (plant.process().oscillation) {
+        const double least = std::max(integral, 0.0);
+        constexpr double kBeyond = 3; // times what a proportional gain alone may be
+        constexpr int kPoints = 60;
+        const auto above = greatest(limit * kBeyond / kPoints, limit * kBeyond, kPoints,
+                                    [&](double gain) { return plant.greatestAbove(gain, least); });
+        if (above.second > least) std::tie(gain, integral) = above;
+    }
     if (!(integral > 0) || !(gain > 0)) {
         if (!(integral > 0)) return std::nullopt;
         // all integral: a trace of gain keeps the standard form

@@ -3,6 +3,7 @@
 #pragma once
 #include "runtime/base/result.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,11 @@ namespace plc::tuning {
 
 /// Same instants for all; a column that is not there is empty.
 struct LoopSeries {
-    std::vector<double> time;     // [s], rising
-    std::vector<double> input;    // manipulated value: what the controller puts out
-    std::vector<double> output;   // measured value
-    std::vector<double> setPoint; // optional
+    std::vector<double> time;        // [s], rising
+    std::vector<double> input;       // manipulated value: what the controller puts out
+    std::vector<double> output;      // measured value
+    std::vector<double> setPoint;    // optional
+    std::optional<double> low, high; // of the input, where the controller's limits are known
     [[nodiscard]] size_t size() const { return time.size(); }
 };
 

@@ -23,9 +23,9 @@ struct Theme {
     const char* curves[6];
 };
 constexpr Theme kLight{
-    "#ffffff", "#202124", "#e3e5e8", "#9aa0a6", {"#1a73e8", "#d93025", "#188038", "#e37400", "#9334e6", "#80868b"}};
+    "#ffffff", "#202124", "#e3e5e8", "#9aa0a6", {"#1a73e8", "#d93025", "#188038", "#e37400", "#5b1a8b", "#80868b"}};
 constexpr Theme kDark{
-    "#1e1f22", "#e8eaed", "#3a3c40", "#80868b", {"#8ab4f8", "#f28b82", "#81c995", "#fdd663", "#c58af9", "#9aa0a6"}};
+    "#1e1f22", "#e8eaed", "#3a3c40", "#80868b", {"#8ab4f8", "#f2746a", "#5fcf84", "#fdd663", "#b06af5", "#9aa0a6"}};
 
 const char* colourOf(const Curve& curve, const Theme& theme) {
     return theme.curves[curve.colour < 0 ? 5 : static_cast<size_t>(curve.colour) % 6];
@@ -66,6 +66,17 @@ std::string line(double x1, double y1, double x2, double y2, const char* colour)
            "\" stroke=\"" + colour + "\"/>\n";
 }
 
+/// About how wide a text is: SVG has no measure of fonts.
+double widthOf(const std::string& what, double size) { return 0.58 * size * static_cast<double>(what.size()); }
+
+/// Of a long path its end says most.
+std::string fitting(const std::string& what, double width, double size) {
+    if (widthOf(what, size) <= width) return what;
+    size_t from = what.size() - std::min(what.size(), static_cast<size_t>(width / (0.58 * size)));
+    while (from < what.size() && (static_cast<unsigned char>(what[from]) & 0xC0) == 0x80) ++from; // a whole character
+    return "…" + what.substr(from);
+}
+
 std::string axes(const Chart& chart, const Scale& x, const Scale& y, const Theme& theme) {
     std::string out;
     for (const double at : chart.isLogarithmic ? logarithmicTicks(x.low, x.high) : axisTicks(x.low, x.high, 7)) {
@@ -81,8 +92,8 @@ std::string axes(const Chart& chart, const Scale& x, const Scale& y, const Theme
     out += text((x.from + x.to) / 2, y.from + 34, chart.xTitle, "middle", theme.text, 12);
     if (!chart.yTitle.empty()) {
         const std::string at = number(x.from - 48) + " " + number((y.from + y.to) / 2);
-        out += text(x.from - 48, (y.from + y.to) / 2, chart.yTitle, "middle", theme.text, 12,
-                    " transform=\"rotate(-90 " + at + ")\"");
+        out += text(x.from - 48, (y.from + y.to) / 2, fitting(chart.yTitle, y.from - y.to, 12), "middle", theme.text,
+                    12, " transform=\"rotate(-90 " + at + ")\"");
     }
     return out;
 }
@@ -101,9 +112,6 @@ std::string drawn(const Curve& curve, const Scale& x, const Scale& y, const Them
     return "<polyline fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-width=\"1.8\"" +
            (curve.style == CurveStyle::Dashed ? " stroke-dasharray=\"6 4\"" : "") + " points=\"" + points + "\"/>\n";
 }
-
-/// About how wide a text is: SVG has no measure of fonts.
-double widthOf(const std::string& what, double size) { return 0.58 * size * static_cast<double>(what.size()); }
 
 constexpr double kSample = 18, kBetween = 14; // of a name in the legend
 
@@ -160,7 +168,8 @@ std::string drawn(const Chart& chart, double left, double top, const Theme& them
     const double margin = (yHigh - yLow) * 0.06;
     const Scale x{xLow, xHigh, left + kLeft, left + kWidth - kRight, chart.isLogarithmic};
     const Scale y{yLow - margin, yHigh + margin, top + kHeight - kBottom, top + kTop + below, false};
-    std::string out = text(left + kLeft, top + 22, chart.title, "start", theme.text, 14, " font-weight=\"600\"");
+    std::string out = text(left + kLeft, top + 22, fitting(chart.title, kWidth - kLeft - kRight, 14), "start",
+                           theme.text, 14, " font-weight=\"600\"");
     out += axes(chart, x, y, theme);
     for (const Curve& curve : chart.curves) out += drawn(curve, x, y, theme);
     for (const ChartNote& note : chart.notes) out += drawn(note, x, y, theme);
@@ -208,7 +217,7 @@ std::string svgOf(const ChartPage& page) {
                       number(height) + "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
                       "\" font-family=\"Noto Sans, sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"" +
                       theme.back + "\"/>\n";
-    out += text(18, 26, page.title, "start", theme.text, 17, " font-weight=\"600\"");
+    out += text(18, 26, fitting(page.title, width - 36, 17), "start", theme.text, 17, " font-weight=\"600\"");
     for (size_t i = 0; i < page.lines.size(); ++i)
         out += text(18, 48 + 18 * static_cast<double>(i), page.lines[i], "start", theme.text, 13);
     for (size_t i = 0; i < page.charts.size(); ++i)

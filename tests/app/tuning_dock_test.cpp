@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTreeWidget>
@@ -178,8 +179,8 @@ TEST_F(TuningDock, TheSliderFromDisturbanceToSetPointMovesBothResponses) {
 TEST_F(TuningDock, TheBodePlotHasTheMarginsOfTheTable) {
     findSteps();
     auto* tabs = part<QTabWidget>("tuningCharts");
-    ASSERT_EQ(tabs->count(), 2);
-    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(1).center());
+    ASSERT_EQ(tabs->count(), 4);
+    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(2).center());
     auto* bode = part<plot::FigureView>("tuningBode");
     EXPECT_TRUE(bode->isVisible());
     ASSERT_EQ(bode->figure().charts.size(), 2U);
@@ -192,6 +193,33 @@ TEST_F(TuningDock, TheBodePlotHasTheMarginsOfTheTable) {
     brisk->setFocus();
     QTest::keyClick(brisk, Qt::Key_Home);
     EXPECT_LT(bode->figure().charts[0].notes.front().x, before); // calm: crosses over at less
+}
+
+TEST_F(TuningDock, HowTheLoopIsDoingIsATabAndAPageInAFile) {
+    EXPECT_FALSE(part<QPushButton>("tuningReport")->isEnabled());
+    findSteps();
+    auto* tabs = part<QTabWidget>("tuningCharts");
+    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(3).center());
+    EXPECT_TRUE(part<QLabel>("tuningHealthWords")->isVisible());
+    EXPECT_TRUE(part<QLabel>("tuningHealthWords")->text().contains("oscillate"));
+    EXPECT_EQ(part<QTreeWidget>("tuningHealthFigures")->topLevelItemCount(), 6);
+    EXPECT_EQ(part<plot::FigureView>("tuningRecorded")->figure().charts.size(), 2U);
+    EXPECT_TRUE(part<QPushButton>("tuningReport")->isEnabled());
+    view->writeReport(folder.path() + "/loop.html");
+    QFile page(folder.path() + "/loop.html");
+    ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(page.readAll());
+    for (const char* expected : {"<h1>Main.pid</h1>", "How it is doing", "Main.Measured", "<polyline", "SIMC", "i_rKp"})
+        EXPECT_TRUE(text.contains(expected)) << expected;
+    EXPECT_FALSE(text.contains("nan"));
+    view->writeReport(folder.path() + "/loop.pdf");
+    QFile pdf(folder.path() + "/loop.pdf");
+    ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(pdf.read(5) == "%PDF-");
+    QSignalSpy said(view, &editor::TuningView::message);
+    view->writeReport("/nowhere/loop.html");
+    ASSERT_EQ(said.size(), 1);
+    EXPECT_TRUE(said.front().at(1).toBool());
 }
 
 TEST_F(TuningDock, ARecordingFromAFileIsLookedAtWithoutAController) {
@@ -215,15 +243,41 @@ TEST_F(TuningDock, PicturesForALook) {
         kit::Theme::current().setChoice(isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
         for (const QSize size : {QSize(1600, 1000), QSize(1024, 700)}) {
             window->resize(size);
-            for (int tab = 0; tab < 2; ++tab) {
+            const char* const figures[] = {"tuningData", "tuningTrial", "tuningBode", "tuningRecorded"};
+            for (int tab = 0; tab < 4; ++tab) {
                 tabs->setCurrentIndex(tab);
                 keepPicture(QString("tuning_%1_%2_%3").arg(size.width()).arg(tab).arg(isDark));
-                EXPECT_GT(part<plot::FigureView>(tab ? "tuningBode" : "tuningTrial")->frames().front().area.height(),
-                          20);
+                const auto frames = part<plot::FigureView>(figures[tab])->frames();
+                ASSERT_FALSE(frames.empty()) << figures[tab];
+                EXPECT_GT(frames.front().area.height(), 20) << figures[tab];
             }
         }
     }
     kit::Theme::current().setChoice(kit::ThemeChoice::Light);
+}
+
+/// The set point rests: nothing to make a model from.
+class TuningDockAtRest : public TuningDock {
+    QByteArray program() const override {
+        QByteArray text = kLoop;
+        text.replace("scan / 1500) MOD 2) * 10.0", "scan / 4) MOD 2) * 10.0");
+        return text;
+    }
+};
+
+TEST_F(TuningDockAtRest, WithoutAModelTheChangesAndTheHealthAreShown) {
+    click("tuningFind");
+    auto* steps = part<QTreeWidget>("tuningSteps");
+    ASSERT_TRUE(waitFor([&] { return steps->topLevelItemCount() > 0; }, 30'000));
+    EXPECT_TRUE(part<QLabel>("tuningState")->text().contains("usable"))
+        << part<QLabel>("tuningState")->text().toStdString();
+    EXPECT_FALSE(part<QLabel>("tuningHealthWords")->text().isEmpty());
+    EXPECT_FALSE(part<QPushButton>("tuningWrite")->isEnabled());
+    EXPECT_EQ(part<QTreeWidget>("tuningFigures")->topLevelItemCount(), 0);
+    view->writeReport(folder.path() + "/loop.html");
+    QFile page(folder.path() + "/loop.html");
+    ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(QString::fromUtf8(page.readAll()).contains("No model: "));
 }
 
 /// A load that is switched while the set point rests.

@@ -2,8 +2,8 @@
 // and an element's roles are picked from those that there are.
 #include "design_studio.h"
 
+#include "hmi/designer/editors/password_dialog.h"
 #include "hmi/designer/editors/people_editor.h"
-#include "hmi/designer/password_dialog.h"
 #include "hmi/designer/sheet/property_sheet.h"
 #include "hmi/people/password.h"
 

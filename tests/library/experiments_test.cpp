@@ -16,9 +16,10 @@ const char* const kProcess = "a := a + (y * 2.0 - a) * 0.01;\nb := b + (a - b) *
 
 Bench relayBench() {
     return Bench("VAR r : FB_RelayTest; on, abort : BOOL; ampl : REAL := 5.0; low : REAL := 0.0; high : REAL := 200.0; "
-                 "max : TIME := T#10m; a, b, c : REAL := 100.0; y : REAL := 50.0; END_VAR",
+                 "max : TIME := T#10m; closed : REAL := 0.0; a, b, c : REAL := 100.0; y : REAL := 50.0; END_VAR",
                  "r(i_xEn := on, i_rPv := c, i_rSp := 100.0, i_rBias := 50.0, i_rAmpl := ampl, i_rHyst := 0.05, "
-                 "i_rLowLim := low, i_rHighLim := high, i_tMax := max, i_xAbort := abort, q_rOput => y);\n" +
+                 "i_rLowLim := low, i_rHighLim := high, i_tMax := max, i_xAbort := abort, i_rOutLow := closed, "
+                 "i_rOutHigh := 100.0, q_rOput => y);\n" +
                      std::string(kProcess),
                  util);
 }
@@ -64,7 +65,8 @@ TEST(RelayTest, SaysWhyItDoesNotRun) {
         double value;
         int error;
     };
-    for (const Row& row : {Row{"ampl", 0, 1}, Row{"high", -1, 2}, Row{"low", 150, 3}, Row{"abort", 1, 5}}) {
+    for (const Row& row : {Row{"ampl", 0, 1}, Row{"high", -1, 2}, Row{"low", 150, 3}, Row{"abort", 1, 5},
+                           Row{"ampl", 50.1, 6}, Row{"ampl", -50.1, 6}, Row{"closed", 45.1, 6}}) {
         Bench bench = relayBench();
         bench.set(row.variable, row.value);
         bench.set("on", 1);
@@ -112,11 +114,11 @@ TEST(RelayTest, EndsWhenItTakesTooLong) {
 }
 
 Bench stepBench() {
-    return Bench(
-        "VAR s : FB_StepTest; on, abort : BOOL; pv : REAL := 10.0; step : REAL := 5.0; high : REAL := 20.0; END_VAR",
-        "s(i_xEn := on, i_rPv := pv, i_rBias := 40.0, i_rStep := step, i_tBefore := T#1s, i_tAfter := T#2s, "
-        "i_rLowLim := 0.0, i_rHighLim := high, i_xAbort := abort);",
-        util, 100ms);
+    return Bench("VAR s : FB_StepTest; on, abort : BOOL; pv : REAL := 10.0; step : REAL := 5.0; high : REAL := 20.0; "
+                 "END_VAR",
+                 "s(i_xEn := on, i_rPv := pv, i_rBias := 40.0, i_rStep := step, i_tBefore := T#1s, i_tAfter := T#2s, "
+                 "i_rLowLim := 0.0, i_rHighLim := high, i_xAbort := abort, i_rOutLow := 0.0, i_rOutHigh := 100.0);",
+                 util, 100ms);
 }
 
 TEST(StepTest, HoldsStepsAndComesBack) {
@@ -143,7 +145,8 @@ TEST(StepTest, AbortsAtALimitAndByHand) {
     const double cut = std::numeric_limits<double>::quiet_NaN();
     for (const auto& [variable, value, error] :
          {std::tuple{"pv", 25.0, 3}, std::tuple{"pv", -0.1, 3}, std::tuple{"pv", cut, 3}, std::tuple{"abort", 1.0, 5},
-          std::tuple{"step", 0.0, 1}, std::tuple{"high", -1.0, 2}}) {
+          std::tuple{"step", 0.0, 1}, std::tuple{"high", -1.0, 2}, std::tuple{"step", 60.1, 6},
+          std::tuple{"step", -40.1, 6}}) {
         Bench bench = stepBench();
         bench.set("on", 1);
         bench.scan(15);

@@ -137,15 +137,9 @@ int reportHealth(const TuneReport& report, const std::string& path) {
     return kGood;
 }
 
-tuning::LoopLimits limitsOf(const TuneReport& report, const std::optional<loops::Settings>& settings) {
-    tuning::LoopLimits limits;
-    if (!settings) return limits;
-    limits.low = settings->low;
-    limits.high = settings->high;
-    if (!report.now) return limits;
-    limits.sensitivity = report.now->figures.sensitivity;
-    limits.crossover = report.now->figures.crossover;
-    return limits;
+tuning::Health healthOf(const TuneReport& report) {
+    return tuning::healthOf(
+        report.series, tuning::limitsOf(report.series, report.now ? std::optional(report.now->figures) : std::nullopt));
 }
 
 /// Models and settings from what is in the report already: channels, series, loop and its present settings.
@@ -154,7 +148,9 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
     const auto page = arguments.value("--report");
     if (auto studied = studyInto(question, report); !studied) {
         if (!page) return wrongUse(studied.error());
-        report.health = tuning::healthOf(report.series, limitsOf(report, settings));
+        report.study.steps = tuning::findSteps(report.series);
+        report.whyNoModel = studied.error().message;
+        report.health = healthOf(report);
         return reportHealth(report, *page);
     }
     report.cycle = question.cycle.value_or(settings && settings->cycle > 0 ? settings->cycle
@@ -175,7 +171,7 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
             if (auto written = writeText(*path, draw(report, arguments.has("--dark"))); !written)
                 return wrongUse(written.error());
     if (page) {
-        report.health = tuning::healthOf(report.series, limitsOf(report, settings));
+        report.health = healthOf(report);
         if (auto written = writeReport(report, *page); !written) return wrongUse(written.error());
     }
     std::cout << (arguments.wantsJson() ? jsonOf(report) : textOf(report));
@@ -237,6 +233,8 @@ int tuneHistory(const Arguments& arguments, const Question& question, const hist
     if (report.loop) {
         const history::Statistics all = history.statistics();
         settings = loops::settingsOf(*report.loop, *programs.back(), history.seek(all.end - 1));
+        report.series.low = settings->low;
+        report.series.high = settings->high;
         report.targets = loops::targetsOf(*report.loop, programs.back());
         report.constants = loops::callConstants(*report.loop, programs.back());
     }

@@ -1,9 +1,5 @@
 #include "app/cli/tune/tune_output.h"
 
-#include "projects/tuning/bode_plot.h"
-#include "projects/waveform/chart.h"
-#include "runtime/base/xml_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -32,7 +28,7 @@ const char* word(tuning::ControllerKind kind) {
     return "";
 }
 
-const char* word(tuning::Moved moved) {
+std::string word(tuning::Moved moved) {
     switch (moved) {
     case tuning::Moved::Input:
         return "input";
@@ -41,7 +37,7 @@ const char* word(tuning::Moved moved) {
     case tuning::Moved::Load:
         return "load";
     }
-    return "";
+    return {};
 }
 
 bool isUsed(const TuneReport& report, size_t index) {
@@ -83,9 +79,7 @@ std::string modelText(const TuneReport& report) {
     if (model.validation) out += " (" + numberText(*model.validation, 4) + " % of steps it was not made from)";
     out += "\n  " + formula(model.model) + "\n";
     for (const tuning::Bound& bound : model.bounds) out += boundText(bound);
-    if (model.gainUp && model.gainDown)
-        out += "  The gain is " + numberText(*model.gainUp) + " upwards and " + numberText(*model.gainDown) +
-               " downwards; settings are made for " + numberText(model.model.gain) + ".\n";
+    for (const Message& words : gainWords(model)) out += "  " + words.english() + "\n";
     constexpr double kAll = 99.995; // then no other says more
     for (size_t i = 1; i < std::min<size_t>(report.study.models.size(), 3) && model.fit < kAll; ++i) {
         const tuning::Identified& other = report.study.models[i];
@@ -187,6 +181,7 @@ Json modelJson(const tuning::Identified& one) {
     if (one.validation) json["validation"] = *one.validation;
     if (one.gainUp) json["gain_up"] = *one.gainUp;
     if (one.gainDown) json["gain_down"] = *one.gainDown;
+    for (const tuning::GainAt& at : one.gainsAt) json["gains_at"].push_back({{"output", at.level}, {"gain", at.gain}});
     if (!one.bounds.empty()) {
         Json bounds = Json::object();
         for (const tuning::Bound& bound : one.bounds) bounds[bound.name] = bound.halfWidth;
@@ -264,75 +259,23 @@ std::string jsonOf(const TuneReport& report) {
 
 namespace {
 
-/// As many points as a picture can show.
-void thin(waveform::Curve& curve) {
-    constexpr size_t kMost = 1500;
-    const size_t stride = curve.x.size() / kMost + 1;
-    if (stride == 1) return;
-    std::vector<double> x, y;
-    for (size_t i = 0; i < curve.x.size(); i += stride) x.push_back(curve.x[i]), y.push_back(curve.y[i]);
-    curve.x = std::move(x);
-    curve.y = std::move(y);
-}
-
-waveform::Chart dataChart(const TuneReport& report) {
-    waveform::Chart chart{"Recorded and modelled", "time [s]", report.measuredName, {}, false};
-    for (size_t i = 0; i < report.study.used.size(); ++i) {
-        const tuning::Excerpt& excerpt = report.study.excerpts[i];
-        const auto times = timesOf(report.series, report.study.steps[report.study.used[i]], excerpt);
-        chart.curves.push_back({i ? "" : "recorded", times, excerpt.output, 5, waveform::CurveStyle::Dots});
-        chart.curves.push_back({i ? "" : "model", times, report.best().simulated[i], 0, waveform::CurveStyle::Line});
+tuning::LoopReport pageFor(const TuneReport& report) {
+    tuning::LoopReport out{report.series, report.study, report.name, report.measuredName, report.inputName};
+    out.health = report.health;
+    out.whyNoModel = report.whyNoModel;
+    out.cycle = report.cycle;
+    out.now = report.now;
+    out.settings = report.answers;
+    out.rule = report.rule;
+    for (size_t i = 0; i < report.parameters.size(); ++i) {
+        const std::string& path = report.targets[i].path;
+        out.parameters.emplace_back(path.empty() ? report.loop->pin(report.parameters[i].member) : path,
+                                    report.parameters[i].text);
     }
-    return chart;
+    return out;
 }
 
-waveform::Curve trajectoryCurve(const tuning::Trajectory& trajectory, const std::string& name, int colour) {
-    waveform::Curve curve{name, {}, trajectory.output, colour, waveform::CurveStyle::Line};
-    for (size_t i = 0; i < trajectory.output.size(); ++i) curve.x.push_back(static_cast<double>(i) * trajectory.cycle);
-    thin(curve);
-    return curve;
-}
-
-void addCurves(const TuneReport& report, waveform::Chart& chart, tuning::Trajectory tuning::Assessment::*which) {
-    if (report.now && report.now->figures.isStable)
-        chart.curves.push_back(trajectoryCurve((*report.now).*which, "now", 5));
-    int colour = 0;
-    for (const RuleAnswer& answer : report.answers) {
-        const int own = colour++;
-        if (!answer.assessment.figures.isStable || answer.rule == tuning::Rule::ZieglerNichols) continue;
-        chart.curves.push_back(trajectoryCurve(answer.assessment.*which, std::string(title(answer.rule)), own));
-        if (answer.rule != report.rule) chart.curves.back().style = waveform::CurveStyle::Dashed;
-    }
-}
-
-std::array<waveform::Chart, 2> bodeOf(const TuneReport& report) {
-    std::vector<tuning::PlottedLoop> loops;
-    if (report.now && report.now->figures.isStable)
-        loops.push_back({"loop now", report.now->gains, report.now->figures, 1, false});
-    if (const RuleAnswer* answer = report.answer())
-        loops.push_back({"loop, " + std::string(title(answer->rule)), answer->assessment.gains,
-                         answer->assessment.figures, 0, true});
-    return tuning::bodeCharts(report.best().model, loops, tuning::samplingDelay(report.cycle));
-}
-
-waveform::Chart residualChart(const TuneReport& report) {
-    waveform::Chart chart{"Residuals of the model", "time [s]", report.measuredName, {}, false};
-    for (size_t i = 0; i < report.study.used.size(); ++i) {
-        const tuning::Excerpt& excerpt = report.study.excerpts[i];
-        const std::vector<double>& model = report.best().simulated[i];
-        waveform::Curve left{"",
-                             timesOf(report.series, report.study.steps[report.study.used[i]], excerpt),
-                             {},
-                             1,
-                             waveform::CurveStyle::Line};
-        for (size_t s = 0; s < std::min(excerpt.output.size(), model.size()); ++s)
-            left.y.push_back(excerpt.output[s] - model[s]);
-        chart.curves.push_back(std::move(left));
-    }
-    return chart;
-}
-
-waveform::ChartPage pageFor(const TuneReport& report, bool isDark) {
+waveform::ChartPage chartPageFor(const TuneReport& report, bool isDark) {
     waveform::ChartPage page;
     page.isDark = isDark;
     page.title = report.name;
@@ -346,78 +289,25 @@ waveform::ChartPage pageFor(const TuneReport& report, bool isDark) {
 } // namespace
 
 std::string pictureOf(const TuneReport& report, bool isDark) {
-    waveform::ChartPage page = pageFor(report, isDark);
-    page.charts.push_back(dataChart(report));
-    page.charts.push_back(residualChart(report));
-    const std::string measured = report.measuredName;
-    page.charts.push_back({"Step of the set point by 1", "time [s]", measured, {}, false});
-    addCurves(report, page.charts.back(), &tuning::Assessment::setPointTrajectory);
-    page.charts.push_back({"Step of the load by 1", "time [s]", measured, {}, false});
-    addCurves(report, page.charts.back(), &tuning::Assessment::loadTrajectory);
-    for (waveform::Chart& chart : bodeOf(report)) page.charts.push_back(std::move(chart));
+    waveform::ChartPage page = chartPageFor(report, isDark);
+    page.charts = modelCharts(pageFor(report));
     return svgOf(page);
 }
 
 std::string bodePictureOf(const TuneReport& report, bool isDark) {
-    waveform::ChartPage page = pageFor(report, isDark);
+    waveform::ChartPage page = chartPageFor(report, isDark);
     page.columns = 1;
-    for (waveform::Chart& chart : bodeOf(report)) page.charts.push_back(std::move(chart));
+    for (waveform::Chart& chart : bodeOf(pageFor(report))) page.charts.push_back(std::move(chart));
     return svgOf(page);
 }
-
-namespace {
-
-std::vector<std::pair<std::string, std::string>> healthRows(const tuning::Health& health) {
-    return {{"recorded", numberText(health.duration) + " s"},
-            {"at a limit", numberText(health.timeAtLimit * 100, 3) + " % of the time"},
-            {"mean absolute error", numberText(health.meanError)},
-            {"integrated absolute error", numberText(health.integratedError)},
-            {"movements of the output", numberText(health.effort) + " an hour"},
-            {"noise of the measured value", numberText(health.noise, 3)}};
-}
-
-std::string recordedChart(const TuneReport& report) {
-    waveform::ChartPage page;
-    const auto add = [&](waveform::Chart& chart, const char* name, int colour, const std::vector<double>& values) {
-        if (values.empty()) return;
-        chart.curves.push_back({name, report.series.time, values, colour, waveform::CurveStyle::Line});
-        thin(chart.curves.back());
-    };
-    page.title = "Recorded";
-    page.charts.push_back({"Set point and measured value", "time [s]", report.measuredName, {}, false});
-    add(page.charts.back(), "set point", 0, report.series.setPoint);
-    add(page.charts.back(), "measured", 2, report.series.output);
-    page.charts.push_back({"Output", "time [s]", report.inputName, {}, false});
-    add(page.charts.back(), "output", 3, report.series.input);
-    return svgOf(page);
-}
-
-} // namespace
 
 std::string healthText(const TuneReport& report) {
     std::string out = "Health of " + report.name + "\n";
     for (const Message& sentence : wordsOf(report.health)) out += "  " + sentence.english() + "\n";
-    for (const auto& [what, value] : healthRows(report.health)) out += "  " + padded(what, 28) + value + "\n";
+    for (const auto& [what, value] : healthRows(report.health)) out += "  " + padded(what.english(), 36) + value + "\n";
     return out;
 }
 
-std::string pageOf(const TuneReport& report) {
-    std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + xmlText(report.name) +
-        "</title>\n<style>body{font-family:\"Noto Sans\",sans-serif;margin:0;padding:24px;max-width:1160px}"
-        "td{padding:2px 18px 2px 0}pre{background:#f5f6f7;padding:12px;overflow:auto}svg{max-width:100%;"
-        "height:auto}</style></head><body>\n<h1>" +
-        xmlText(report.name) + "</h1>\n<p>" + xmlText(report.channels.output) + " by " +
-        xmlText(report.channels.input) + "</p>\n<h2>How it is doing</h2>\n";
-    for (const Message& sentence : wordsOf(report.health)) out += "<p>" + xmlText(sentence.english()) + "</p>\n";
-    out += "<table>\n";
-    for (const auto& [what, value] : healthRows(report.health))
-        out += "<tr><td>" + xmlText(what) + "</td><td>" + xmlText(value) + "</td></tr>\n";
-    out += "</table>\n" + recordedChart(report);
-    if (!report.study.models.empty())
-        out += "<h2 style=\"page-break-before:always\">Model and settings</h2>\n" + pictureOf(report, false) +
-               "<h2 style=\"page-break-before:always\">In figures</h2>\n<pre>" + xmlText(textOf(report)) + "</pre>\n";
-    return out + "</body></html>\n";
-}
+std::string pageOf(const TuneReport& report) { return htmlOf(pageFor(report)); }
 
 } // namespace plc::cli

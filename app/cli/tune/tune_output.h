@@ -1,15 +1,11 @@
 // What `stepwise tune` prints and draws: steps, models, settings. Values and functions, one thread.
 #pragma once
 #include "projects/loops/call_constants.h"
-#include "projects/tuning/health.h"
-#include "projects/tuning/proposal.h"
+#include "projects/tuning/loop_report.h"
 
 namespace plc::cli {
 
-struct RuleAnswer {
-    tuning::Rule rule{};
-    tuning::Assessment assessment;
-};
+using RuleAnswer = tuning::ReportedSettings;
 
 struct TuneReport {
     std::string name; // of the loop, or of the file
@@ -28,6 +24,7 @@ struct TuneReport {
     std::string measuredName, inputName;        // for axes: the variables behind the pins
 
     tuning::Health health;
+    Message whyNoModel;
 
     [[nodiscard]] const tuning::Identified& best() const { return study.models.front(); }
     [[nodiscard]] const RuleAnswer* answer() const; // of the rule that was asked for

@@ -104,7 +104,7 @@ TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
         << err;
     const std::string page = read("loop.html");
     EXPECT_NE(page.find("<h2>How it is doing</h2>"), std::string::npos);
-    EXPECT_NE(page.find(">Model and settings</h2>"), std::string::npos);
+    EXPECT_NE(page.find(">Model</h2>"), std::string::npos);
     EXPECT_NE(page.find("<polyline"), std::string::npos);
     EXPECT_EQ(page.find("nan"), std::string::npos);
     // without a step there is still something to say

@@ -28,6 +28,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 using namespace plc::kit;
 
 TEST(FuzzyMatch, PrefersWordBeginningsAndTouchingLetters) {
@@ -89,6 +92,38 @@ TEST(Theme, TextCanBeReadOnItsGroundInEveryTheme) {
             EXPECT_GE(contrast(curve, c->plotGround), 3) << curve.name().toStdString();
         EXPECT_GE(contrast(c->onAccent, c->accent), 4.5);
     }
+}
+
+namespace {
+
+/// As somebody sees it who has no red or no green cones (matrices of Machado and others, 2009), in CIE Lab.
+std::array<double, 3> seenAs(const QColor& color, const std::array<std::array<double, 3>, 3>& eye) {
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    const std::array<double, 3> full{linear(color.redF()), linear(color.greenF()), linear(color.blueF())};
+    std::array<double, 3> seen{};
+    for (size_t i = 0; i < 3; ++i)
+        seen[i] = std::clamp(eye[i][0] * full[0] + eye[i][1] * full[1] + eye[i][2] * full[2], 0.0, 1.0);
+    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+    const double x = f((0.4125 * seen[0] + 0.3576 * seen[1] + 0.1804 * seen[2]) / 0.9505);
+    const double y = f(0.2127 * seen[0] + 0.7152 * seen[1] + 0.0722 * seen[2]);
+    const double z = f((0.0193 * seen[0] + 0.1192 * seen[1] + 0.9503 * seen[2]) / 1.0888);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+} // namespace
+
+TEST(Theme, CurvesAreToldApartWithoutRedOrGreenCones) {
+    constexpr std::array<std::array<std::array<double, 3>, 3>, 2> kEyes{
+        {{{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
+         {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}}}};
+    for (const ThemeColors* c : {&lightColors(), &darkColors()})
+        for (const auto& eye : kEyes)
+            for (size_t i = 0; i < c->curves.size(); ++i)
+                for (size_t k = 0; k < i; ++k) {
+                    const auto a = seenAs(c->curves[i], eye), b = seenAs(c->curves[k], eye);
+                    EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 8)
+                        << c->curves[i].name().toStdString() << " and " << c->curves[k].name().toStdString();
+                }
 }
 
 TEST(Theme, HighContrastHasSevenToOneForEveryInkAndThreeForEveryLine) {

@@ -72,6 +72,75 @@ TEST(FindSteps, ADayOfNoiseAloneHasNone) {
     EXPECT_TRUE(findSteps(play(plan)).empty());
 }
 
+TEST(FindSteps, IntegersOfAConverterAreSignalsToo) {
+    // what a 16-bit input and output show: whole numbers that come and go by one
+    for (const double inputNoise : {0.0, 0.03, 0.3}) {
+        Plan plan;
+        plan.samples = 40'000;
+        plan.noise = 0.1;
+        plan.inputNoise = inputNoise;
+        plan.drift = 0.2;
+        for (size_t i = 1; i < 40; ++i) plan.inputs.emplace_back(i * 950, i % 2 ? 4.0 : i % 4 ? 1.0 : -2.0);
+        LoopSeries series = play(plan);
+        for (std::vector<double>* column : {&series.input, &series.output})
+            for (double& value : *column) value = std::round(value * 10);
+        const std::vector<FoundStep> found = findSteps(series);
+        EXPECT_EQ(found.size(), plan.inputs.size()) << inputNoise;
+        const auto usable = std::count_if(found.begin(), found.end(), [](const auto& step) { return step.isUsable(); });
+        EXPECT_GE(usable, 38) << inputNoise;
+    }
+}
+
+TEST(FindSteps, ARampIsOneChange) {
+    for (const double inputNoise : {0.0, 0.05})
+        for (const size_t length : {5U, 20U, 60U}) {
+            Plan plan;
+            plan.samples = 9000;
+            plan.noise = 0.1;
+            plan.inputNoise = inputNoise;
+            double level = 0;
+            for (size_t i = 1; i < 6; ++i) {
+                const double next = level + (i % 2 ? 6 : -4);
+                for (size_t k = 0; k < length; ++k)
+                    plan.inputs.emplace_back(i * 1400 + k, level + (next - level) * double(k + 1) / double(length));
+                level = next;
+            }
+            const auto result = study(play(plan));
+            ASSERT_TRUE(result) << result.error().english();
+            EXPECT_EQ(result->steps.size(), 5U) << length << " noise of the input " << inputNoise;
+            EXPECT_NEAR(result->models.front().model.gain, 2, 0.06) << length;
+        }
+}
+
+TEST(FindSteps, ASensorAtTheEndOfItsRangeIsSaid) {
+    for (const double noise : {0.0, 0.02}) {
+        Plan plan;
+        plan.samples = 6000;
+        plan.noise = noise;
+        plan.inputs = {{1000, 8}, {2500, 0}, {4000, 3}};
+        LoopSeries series = play(plan);
+        for (double& value : series.output) value = std::min(value, 68.0); // the first step goes to 76
+        const std::vector<FoundStep> found = findSteps(series);
+        ASSERT_EQ(found.size(), 3U);
+        EXPECT_EQ(found[0].verdict, Verdict::Saturated) << found[0].reason.english();
+        EXPECT_NE(found[0].reason.english().find("end of its range"), std::string::npos);
+        EXPECT_TRUE(found[2].isUsable()) << found[2].reason.english();
+    }
+}
+
+TEST(FindSteps, AnOutputPutToItsLimitIsSaid) {
+    Plan plan;
+    plan.samples = 4000;
+    plan.inputs = {{1000, 5}, {2500, 0}};
+    LoopSeries series = play(plan); // 40 and 45
+    series.low = 0;
+    series.high = 45;
+    const std::vector<FoundStep> found = findSteps(series);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NE(found[0].reason.english().find("limit"), std::string::npos) << found[0].reason.english();
+    EXPECT_EQ(found[1].reason.english().find("limit"), std::string::npos) << found[1].reason.english();
+}
+
 TEST(FindSteps, SaysWhyOneIsNotUsable) {
     Plan plan;
     plan.samples = 4000;

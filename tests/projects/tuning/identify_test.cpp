@@ -1,4 +1,5 @@
 // Models found again in what they made: without noise within one per cent, with five per cent of noise within ten.
+#include "projects/tuning/loop_report.h"
 #include "tests/projects/tuning/processes.h"
 
 #include <gtest/gtest.h>
@@ -186,6 +187,31 @@ TEST(Identify, SeveralStepsAreFittedTogetherAndTheLastIsForetold) {
     ASSERT_TRUE(found.front().validation);
     EXPECT_GT(*found.front().validation, 80);
     EXPECT_FALSE(found.front().gainUp);
+}
+
+TEST(Identify, AGainThatDependsOnTheOperatingPointIsSaid) {
+    std::vector<Excerpt> steps; // up and down about two levels: 7 and 47
+    for (unsigned i = 0; i < 6; ++i) {
+        const bool isHigh = i >= 3;
+        steps.push_back(stepOf(lags({3}, 1, isHigh ? 1.2 : 3.0), 25, 0.01, i + 1, i % 2 ? -1.0 : 1.0));
+        if (isHigh)
+            for (double& value : steps.back().output) value += 40;
+    }
+    const auto found = identify(steps);
+    ASSERT_FALSE(found.empty());
+    const Identified& best = found.front();
+    ASSERT_EQ(best.gainsAt.size(), 2U);
+    EXPECT_NEAR(best.gainsAt[0].gain, 3, 0.15);
+    EXPECT_NEAR(best.gainsAt[0].level, 7, 2);
+    EXPECT_NEAR(best.gainsAt[1].gain, 1.2, 0.1);
+    EXPECT_NEAR(best.gainsAt[1].level, 47, 2);
+    EXPECT_FALSE(best.gainUp);
+    ASSERT_EQ(gainWords(best).size(), 1U);
+    EXPECT_NE(gainWords(best)[0].english().find("operating point"), std::string::npos);
+    // the same gain everywhere: nothing to say
+    steps.erase(steps.begin() + 3, steps.end());
+    EXPECT_TRUE(identify(steps).front().gainsAt.empty());
+    EXPECT_TRUE(gainWords(identify(steps).front()).empty());
 }
 
 TEST(Identify, ADifferentGainUpAndDownIsSaid) {

@@ -101,6 +101,59 @@ TEST(Optimum, NoOtherGainsOfTheFamiliesHaveMoreIntegralAtTheSameRobustness) {
     }
 }
 
+namespace {
+
+/// Resonances that only just fade, with lags and dead times of any size, of both signs.
+std::vector<ProcessModel> resonances() {
+    std::vector<ProcessModel> out;
+    double gain = 0.4;
+    for (const double damping : {0.012, 0.05, 0.2, 0.5})
+        for (const auto& [lag, dead] : {std::pair{0.0, 0.1}, std::pair{0.0, 9.6}, std::pair{0.4, 0.0},
+                                        std::pair{15.0, 0.14}, std::pair{3.0, 1.0}}) {
+            ProcessModel model = lags(lag > 0 ? std::vector{lag} : std::vector<double>(), dead, gain = -gain * 1.3);
+            model.oscillation = Oscillation{1, damping};
+            out.push_back(model);
+        }
+    return out;
+}
+
+} // namespace
+
+TEST(Optimum, AResonanceKeepsTheBoundAndNoOtherGainsAreBetter) {
+    for (const ProcessModel& process : resonances())
+        for (const double bound : {1.4, 2.0}) {
+            const auto found = optimum(process, ControllerKind::Pi, bound);
+            ASSERT_TRUE(found) << formula(process);
+            const LoopFigures figures = analyse(process, *found);
+            EXPECT_TRUE(figures.isStable) << formula(process);
+            EXPECT_LT(figures.sensitivity, 1.01 * bound) << formula(process);
+            const double largest = std::max(std::abs(found->gain), 0.2 / std::abs(process.gain));
+            for (int i = 1; i <= 40; ++i) {
+                const double gain = std::copysign(largest * i * 0.06, process.gain);
+                for (const double factor : {1.012, 1.05, 1.2}) {
+                    const double integral = found->integralGain() * factor;
+                    const LoopFigures other = analyse(process, {gain, gain / integral, 0, 0});
+                    EXPECT_FALSE(other.isStable && other.sensitivity < 0.999 * bound)
+                        << formula(process) << " gain " << gain << " of " << found->gain << ", " << factor << " Ms "
+                        << other.sensitivity;
+                }
+            }
+        }
+}
+
+TEST(Optimum, ResonancesWithinOnePerCentOfAnotherSolver) {
+    // by a search over a grid of both gains, with a stability test of its own
+    ProcessModel slow = lags({}, 1179, -0.8031);
+    slow.oscillation = Oscillation{1 / std::sqrt(1.513e4), 3.258 / 2 / std::sqrt(1.513e4)};
+    for (const auto& [bound, integral] :
+         {std::pair{1.4, 0.00041809}, std::pair{1.59, 0.00055916}, std::pair{2.0, 0.00078177}}) {
+        const auto found = optimum(slow, ControllerKind::Pi, bound);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(-found->integralGain(), integral, 0.01 * integral) << bound;
+        EXPECT_LT(found->gain, 0);
+    }
+}
+
 TEST(Optimum, OtherMembersOfTheFamiliesWithinOnePerCentOfAnotherSolver) {
     // maximised by a search over a grid of gains and frequencies, written apart from this program
     const std::vector<Known> rows = {

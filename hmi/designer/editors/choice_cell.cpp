@@ -1,4 +1,4 @@
-#include "hmi/designer/choice_cell.h"
+#include "hmi/designer/editors/choice_cell.h"
 
 #include "editor/kit/word_list.h"
 

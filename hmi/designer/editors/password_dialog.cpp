@@ -1,4 +1,4 @@
-#include "hmi/designer/password_dialog.h"
+#include "hmi/designer/editors/password_dialog.h"
 
 #include "editor/kit/message_text.h"
 #include "hmi/people/password.h"
