@@ -4466,23 +4466,23 @@
         <translation>Panelområde</translation>
     </message>
     <message>
-        <source>Share of the free room in a row</source>
-        <translation>Andel af den ledige plads i rækken</translation>
+        <source>Share of the remaining space</source>
+        <translation>Andel af den resterende plads</translation>
     </message>
     <message>
-        <source>Columns taken in a grid</source>
-        <translation>Antal kolonner i gitteret</translation>
+        <source>Column span in a grid</source>
+        <translation>Antal kolonner i et gitter</translation>
     </message>
     <message>
         <source>Closed if</source>
         <translation>Lukket hvis</translation>
     </message>
     <message>
-        <source>On its way if</source>
+        <source>In transit if</source>
         <translation>Undervejs hvis</translation>
     </message>
     <message>
-        <source>By hand if</source>
+        <source>In manual mode if</source>
         <translation>Manuel hvis</translation>
     </message>
     <message>
@@ -4510,8 +4510,8 @@
         <translation>Margen</translation>
     </message>
     <message>
-        <source>Across the line</source>
-        <translation>På tværs af retningen</translation>
+        <source>Cross-axis alignment</source>
+        <translation>Justering på tværs</translation>
     </message>
 </context>
 <context>

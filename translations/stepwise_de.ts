@@ -4466,23 +4466,23 @@
         <translation>Panelbereich</translation>
     </message>
     <message>
-        <source>Share of the free room in a row</source>
-        <translation>Anteil am freien Platz in der Zeile</translation>
+        <source>Share of the remaining space</source>
+        <translation>Anteil am restlichen Platz</translation>
     </message>
     <message>
-        <source>Columns taken in a grid</source>
-        <translation>Belegte Spalten im Raster</translation>
+        <source>Column span in a grid</source>
+        <translation>Spaltenanzahl im Raster</translation>
     </message>
     <message>
         <source>Closed if</source>
         <translation>Geschlossen, wenn</translation>
     </message>
     <message>
-        <source>On its way if</source>
+        <source>In transit if</source>
         <translation>In Bewegung, wenn</translation>
     </message>
     <message>
-        <source>By hand if</source>
+        <source>In manual mode if</source>
         <translation>Handbetrieb, wenn</translation>
     </message>
     <message>
@@ -4510,8 +4510,8 @@
         <translation>Rand</translation>
     </message>
     <message>
-        <source>Across the line</source>
-        <translation>Quer zur Richtung</translation>
+        <source>Cross-axis alignment</source>
+        <translation>Ausrichtung quer</translation>
     </message>
 </context>
 <context>

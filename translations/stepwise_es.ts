@@ -4466,23 +4466,23 @@
         <translation>Área de panel</translation>
     </message>
     <message>
-        <source>Share of the free room in a row</source>
-        <translation>Parte del espacio libre en la fila</translation>
+        <source>Share of the remaining space</source>
+        <translation>Parte del espacio restante</translation>
     </message>
     <message>
-        <source>Columns taken in a grid</source>
-        <translation>Columnas ocupadas en la cuadrícula</translation>
+        <source>Column span in a grid</source>
+        <translation>Número de columnas en la cuadrícula</translation>
     </message>
     <message>
         <source>Closed if</source>
         <translation>Cerrado si</translation>
     </message>
     <message>
-        <source>On its way if</source>
+        <source>In transit if</source>
         <translation>En movimiento si</translation>
     </message>
     <message>
-        <source>By hand if</source>
+        <source>In manual mode if</source>
         <translation>En manual si</translation>
     </message>
     <message>
@@ -4510,8 +4510,8 @@
         <translation>Margen</translation>
     </message>
     <message>
-        <source>Across the line</source>
-        <translation>En sentido transversal</translation>
+        <source>Cross-axis alignment</source>
+        <translation>Alineación transversal</translation>
     </message>
 </context>
 <context>

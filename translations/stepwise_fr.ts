@@ -4466,23 +4466,23 @@
         <translation>Zone de vue</translation>
     </message>
     <message>
-        <source>Share of the free room in a row</source>
-        <translation>Part de l’espace libre dans la ligne</translation>
+        <source>Share of the remaining space</source>
+        <translation>Part de l’espace restant</translation>
     </message>
     <message>
-        <source>Columns taken in a grid</source>
-        <translation>Colonnes occupées dans la grille</translation>
+        <source>Column span in a grid</source>
+        <translation>Nombre de colonnes dans la grille</translation>
     </message>
     <message>
         <source>Closed if</source>
         <translation>Fermé si</translation>
     </message>
     <message>
-        <source>On its way if</source>
+        <source>In transit if</source>
         <translation>En mouvement si</translation>
     </message>
     <message>
-        <source>By hand if</source>
+        <source>In manual mode if</source>
         <translation>En manuel si</translation>
     </message>
     <message>
@@ -4510,8 +4510,8 @@
         <translation>Marge</translation>
     </message>
     <message>
-        <source>Across the line</source>
-        <translation>En travers</translation>
+        <source>Cross-axis alignment</source>
+        <translation>Alignement transversal</translation>
     </message>
 </context>
 <context>

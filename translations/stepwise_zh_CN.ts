@@ -4465,23 +4465,23 @@
         <translation>画面区域</translation>
     </message>
     <message>
-        <source>Share of the free room in a row</source>
-        <translation>占行内剩余空间的份额</translation>
+        <source>Share of the remaining space</source>
+        <translation>占剩余空间的份额</translation>
     </message>
     <message>
-        <source>Columns taken in a grid</source>
-        <translation>在网格中占用的列数</translation>
+        <source>Column span in a grid</source>
+        <translation>网格中占用的列数</translation>
     </message>
     <message>
         <source>Closed if</source>
         <translation>关闭条件</translation>
     </message>
     <message>
-        <source>On its way if</source>
+        <source>In transit if</source>
         <translation>动作中条件</translation>
     </message>
     <message>
-        <source>By hand if</source>
+        <source>In manual mode if</source>
         <translation>手动条件</translation>
     </message>
     <message>
@@ -4509,8 +4509,8 @@
         <translation>边距</translation>
     </message>
     <message>
-        <source>Across the line</source>
-        <translation>垂直方向</translation>
+        <source>Cross-axis alignment</source>
+        <translation>交叉轴对齐</translation>
     </message>
 </context>
 <context>
