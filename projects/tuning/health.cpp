@@ -86,8 +86,7 @@ std::pair<size_t, size_t> longestRow(const std::vector<HalfWave>& waves) {
 /// itself. Limits chosen on loops by chance (tests/projects/tuning/health_test.cpp).
 bool isSticking(const ValveFit& fit) {
     constexpr double kBetter = 1.3, kUnexplained = 0.004, kExplained = 0.1;
-    return fit.gain() >= kBetter && fit.without > kUnexplained + 4 * fit.noise &&
-           fit.with < kExplained;
+    return fit.gain() >= kBetter && fit.without > kUnexplained + 4 * fit.noise && fit.with < kExplained;
 }
 
 /// A loop that its settings make oscillate swings where its model says so; a valve that sticks moves in jumps, which a
