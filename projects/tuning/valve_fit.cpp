@@ -48,13 +48,13 @@ std::vector<double> valveBehind(const std::vector<double>& input, size_t begin, 
 }
 
 /// The process: equal lags or none and an integrator, with a dead time in parts.
-struct Shape {
+struct LagShape {
     int lags = 1;
     double lag = 1; // in parts
     bool isIntegrating = false;
 };
 
-std::vector<double> responseOf(const std::vector<double>& drive, const Shape& shape) {
+std::vector<double> responseOf(const std::vector<double>& drive, const LagShape& shape) {
     const double mean = meanOf(drive, 0, drive.size());
     std::vector<double> out(drive.size());
     double first = 0, second = 0;
@@ -121,9 +121,9 @@ double leastLeft(const Setting& setting, const std::vector<double>& drive) {
     constexpr std::array kLags = {0.02, 0.06, 0.15, 0.35, 0.8, 2.0};
     constexpr std::array kDelays = {0.0, 0.03, 0.06, 0.1, 0.15, 0.22, 0.3, 0.4};
     double least = 1e300;
-    Shape best;
+    LagShape best;
     size_t bestDelay = 0;
-    const auto look = [&](const Shape& shape, const auto& delays) {
+    const auto look = [&](const LagShape& shape, const auto& delays) {
         const std::vector<double> response = responseOf(drive, shape);
         for (const size_t delay : delays) {
             const double left = leftBy(response, delay, setting.measured, setting.skip, setting.sign);
@@ -136,7 +136,7 @@ double leastLeft(const Setting& setting, const std::vector<double>& drive) {
         for (const int lags : {1, 2}) look({lags, lag * setting.perCycle, false}, delays);
     look({0, 1, true}, delays);
     for (const double factor : {1.5, 1.2}) {
-        const Shape about = best;
+        const LagShape about = best;
         delays.clear();
         for (size_t delay = bestDelay - std::min<size_t>(bestDelay, 2); delay <= bestDelay + 2; ++delay)
             if (delay <= setting.skip) delays.push_back(delay);

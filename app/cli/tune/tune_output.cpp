@@ -1,5 +1,7 @@
 #include "app/cli/tune/tune_output.h"
 
+#include "projects/waveform/chart.h"
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
