@@ -1,24 +1,16 @@
 // Whoever teaches with an example breaks it: each fault that its plant knows can be switched on from a panel, and what
 // the plant counts is shown there and has a reset.
 #include "tests/examples/example_names.h"
+#include "tests/examples/text_of.h"
 
 #include <gtest/gtest.h>
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 
 namespace plc {
 namespace {
-
-std::string textOf(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 /// All files of a folder one after the other, those whose names end so.
 std::string textsOf(const std::string& folder, const std::string& ending) {
