@@ -2,6 +2,7 @@
 // findings in every language, and in a minute of plant time with its start actions nothing faults and the panel moves.
 #include "tests/examples/example_names.h"
 #include "tests/examples/shown.h"
+#include "tests/examples/text_of.h"
 
 #include "app/cli/command_line.h"
 #include "app/cli/run/timed_write.h"
@@ -13,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -23,13 +23,6 @@ namespace plc {
 namespace {
 
 using std::chrono::nanoseconds;
-
-std::string textOf(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 std::vector<std::string> filesWith(const std::string& folder, const std::string& ending) {
     std::vector<std::string> out;
