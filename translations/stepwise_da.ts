@@ -3317,6 +3317,18 @@
         <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
         <translation>Navnene på de ind- og udgange, som enhedernes konfiguration erklærer ({0} osv.), er i PLC_Configuration</translation>
     </message>
+    <message>
+        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <translation>Filen er ikke gyldig UTF-8 og angiver ingen anden tegnkodning; den blev læst som {0}. Hvis bogstaver er forkerte, så importér den igen med en anden tegnkodning</translation>
+    </message>
+    <message>
+        <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
+        <translation>Makrotrinnet {0} blev erstattet af sine trin; trin med et navn, der allerede var brugt, har fået {0} foran</translation>
+    </message>
+    <message>
+        <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
+        <translation>Programmet bruger {0} fra biblioteket {1}, som rækker ud over en simuleret styring; erklær POU&apos;er med disse navne, som gør det, simuleringen skal bruge</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -4512,6 +4524,10 @@
     <message>
         <source>Cross-axis alignment</source>
         <translation>Justering på tværs</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>alle</translation>
     </message>
 </context>
 <context>
@@ -6091,6 +6107,25 @@
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>Styringens program kan ikke oversættes her, som det er dér; brug samme version af Stepwise på begge sider</translation>
     </message>
+    <message>
+        <source>{0} speaks TLS on this port; use the address {1}</source>
+        <translation>{0} bruger TLS på denne port; brug adressen {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
+        <translation>{0} kan ikke nås via TLS: {1}; start styringen dér med --certificate, eller brug en http-adresse på samme computer</translation>
+    </message>
+</context>
+<context>
+    <name>Storage</name>
+    <message>
+        <source>{0} does not have the character {1}; write the file as UTF-8</source>
+        <translation>{0} har ikke tegnet {1}; skriv filen som UTF-8</translation>
+    </message>
+    <message>
+        <source>The encoding {0} is not known; choose one of {1}</source>
+        <translation>Tegnkodningen {0} kendes ikke; vælg en af {1}</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -6364,6 +6399,254 @@
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>Ændring {0} er en forstyrrelse: årsagen kendes ikke, så den giver ingen model; vælg en ændring af setpunktet eller udgangen</translation>
+    </message>
+    <message>
+        <source>the measured value is at the end of its range for {0} % of the time</source>
+        <translation>måleværdien er ved enden af sit område i {0}&#xa0;% af tiden</translation>
+    </message>
+    <message>
+        <source>{0}, controlled by {1}</source>
+        <translation>{0}, reguleret af {1}</translation>
+    </message>
+    <message>
+        <source>Changes in the recording</source>
+        <translation>Ændringer i optagelsen</translation>
+    </message>
+    <message>
+        <source>{0} found, {1} used for the model</source>
+        <translation>{0} fundet, {1} brugt til modellen</translation>
+    </message>
+    <message>
+        <source>… and {0} more</source>
+        <translation>… og {0} flere</translation>
+    </message>
+    <message>
+        <source>No model: {0}</source>
+        <translation>Ingen model: {0}</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>{0}, explains {1} %</source>
+        <translation>{0}, forklarer {1}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Indstillinger</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagrammer</translation>
+    </message>
+    <message>
+        <source>Parameters by {0}</source>
+        <translation>Parametre efter {0}</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>optaget</translation>
+    </message>
+    <message>
+        <source>output at a limit</source>
+        <translation>udgang ved en grænse</translation>
+    </message>
+    <message>
+        <source>mean absolute error</source>
+        <translation>gennemsnitlig absolut reguleringsfejl</translation>
+    </message>
+    <message>
+        <source>integrated absolute error</source>
+        <translation>integreret absolut reguleringsfejl</translation>
+    </message>
+    <message>
+        <source>movements of the output in an hour</source>
+        <translation>udgangens bevægelser pr. time</translation>
+    </message>
+    <message>
+        <source>noise of the measured value</source>
+        <translation>støj på måleværdien</translation>
+    </message>
+    <message>
+        <source>at [s]</source>
+        <translation>ved [s]</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>ændret</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>fra</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>til</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>vurdering</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>udgang</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>setpunkt</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>forstyrrelse</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>forstærkning</translation>
+    </message>
+    <message>
+        <source>Ti [s]</source>
+        <translation>Ti [s]</translation>
+    </message>
+    <message>
+        <source>Td [s]</source>
+        <translation>Td [s]</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>forstærkningsmargin</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>fasemargin</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>oversving</translation>
+    </message>
+    <message>
+        <source>settling time [s]</source>
+        <translation>indsvingningstid [s]</translation>
+    </message>
+    <message>
+        <source>error after a load step</source>
+        <translation>fejl efter et lastspring</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>ustabil</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Optaget og modelleret</translation>
+    </message>
+    <message>
+        <source>Step of the set point by 1</source>
+        <translation>Spring i setpunktet på 1</translation>
+    </message>
+    <message>
+        <source>Step of the load by 1</source>
+        <translation>Spring i lasten på 1</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Bode-diagram</translation>
+    </message>
+    <message>
+        <source>Set point and measured value</source>
+        <translation>Setpunkt og måleværdi</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Udgang</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tid [s]</translation>
+    </message>
+    <message>
+        <source>magnitude [dB]</source>
+        <translation>amplitude [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>frekvens [rad/s]</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>loop now</source>
+        <translation>kreds nu</translation>
+    </message>
+    <message>
+        <source>loop, {0}</source>
+        <translation>kreds, {0}</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>proces</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>målt</translation>
+    </message>
+    <message>
+        <source>gain {0} ± {1}</source>
+        <translation>forstærkning {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>lag {0} s ± {1} s</source>
+        <translation>tidskonstant {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>frequency {0} rad/s ± {1} rad/s</source>
+        <translation>frekvens {0} rad/s ± {1} rad/s</translation>
+    </message>
+    <message>
+        <source>damping {0} ± {1}</source>
+        <translation>dæmpning {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>zero {0} s ± {1} s</source>
+        <translation>nulpunkt {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>dead time {0} s ± {1} s</source>
+        <translation>dødtid {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
+        <translation>Forstærkningen er {0} opad og {1} nedad; indstillingerne er lavet til {2}.</translation>
+    </message>
+    <message>
+        <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
+        <translation>Forstærkningen afhænger af arbejdspunktet: den er {0}, hvor måleværdien er omkring {1}, og {2} omkring {3}; indstillingerne er lavet til {4}. Vælg kun springene i ét område for at indstille til det alene.</translation>
+    </message>
+    <message>
+        <source>usable; the output was set to its limit</source>
+        <translation>brugbar; udgangen blev sat til sin grænse</translation>
+    </message>
+    <message>
+        <source>Loop health</source>
+        <translation>Reguleringskredsens tilstand</translation>
+    </message>
+    <message>
+        <source>It explains {0} % of the steps it was not fitted to.</source>
+        <translation>Den forklarer {0}&#xa0;% af de spring, den ikke blev tilpasset.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residualer</translation>
     </message>
 </context>
 <context>
@@ -6971,6 +7254,18 @@ Ikke bevaret: %3</translation>
     <message>
         <source>Writing the project…</source>
         <translation>Skriver projektet…</translation>
+    </message>
+    <message>
+        <source>Encoding:</source>
+        <translation>Tegnkodning:</translation>
+    </message>
+    <message>
+        <source>Recognised</source>
+        <translation>Genkendt</translation>
+    </message>
+    <message>
+        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <translation>Til filer, der ikke er i Unicode og ikke angiver deres tegnkodning</translation>
     </message>
 </context>
 <context>
@@ -8015,6 +8310,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Build a Native Program…</source>
         <translation>Byg et selvstændigt program…</translation>
+    </message>
+    <message>
+        <source>%1 arranges the window for drawing panels</source>
+        <translation>%1 indretter vinduet til at tegne paneler</translation>
     </message>
 </context>
 <context>
@@ -10419,14 +10718,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>foreslået</translation>
     </message>
     <message>
-        <source>Step of the set point</source>
-        <translation>Spring i setpunktet</translation>
-    </message>
-    <message>
-        <source>Step of the load</source>
-        <translation>Spring i lasten</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Regulatorindstilling</translation>
     </message>
@@ -10517,6 +10808,38 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>phase [°]</source>
         <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>Health in figures</source>
+        <translation>Tilstand i tal</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>Hele optagelsen</translation>
+    </message>
+    <message>
+        <source>Save Report</source>
+        <translation>Gem rapport</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html);;PDF (*.pdf)</source>
+        <translation>Websider (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Rapport skrevet:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
+        <translation>Gemmer en rapport om reguleringskredsen med model og indstillinger som HTML eller PDF.</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Tilstand</translation>
     </message>
 </context>
 <context>
@@ -11185,6 +11508,29 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::PasswordDialog</name>
+    <message>
+        <source>Set Password</source>
+        <translation>Angiv adgangskode</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Adgangskode for&#xa0;%1:</translation>
+    </message>
+    <message>
+        <source>The two passwords differ.</source>
+        <translation>De to adgangskoder er forskellige.</translation>
+    </message>
+    <message>
+        <source>Repeat:</source>
+        <translation>Gentag:</translation>
+    </message>
+    <message>
+        <source>Repeat the password.</source>
+        <translation>Gentag adgangskoden.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PeopleEditor</name>
     <message>
         <source>User</source>
@@ -11263,10 +11609,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Angiv adgangskode</translation>
     </message>
     <message>
-        <source>Password of %1:</source>
-        <translation>Adgangskode for %1:</translation>
-    </message>
-    <message>
         <source>none: cannot log in</source>
         <translation>ingen: kan ikke logge på</translation>
     </message>
@@ -11275,12 +11617,16 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>angivet</translation>
     </message>
     <message>
-        <source>Without users, everybody may do everything.</source>
-        <translation>Uden brugere må alle alt.</translation>
-    </message>
-    <message>
         <source>Rename Role</source>
         <translation>Omdøb rolle</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything. Add a role, then a user with a password.</source>
+        <translation>Uden brugere må alle alt. Tilføj en rolle, derefter en bruger med adgangskode.</translation>
+    </message>
+    <message>
+        <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
+        <translation>Sæt egenskaben »Kun for rollerne« for at begrænse et element til nogle brugere.</translation>
     </message>
 </context>
 <context>
@@ -11565,6 +11911,30 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Texts</source>
         <translation>Tekster</translation>
     </message>
+    <message>
+        <source>Import</source>
+        <translation>Importér</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksportér</translation>
+    </message>
+    <message>
+        <source>Remove language</source>
+        <translation>Fjern sprog</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Fjern&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
+        <translation>%1 er ikke et sprogmærke; vælg et på listen, eller skriv et mærke som de eller zh-CN</translation>
+    </message>
+    <message>
+        <source>The table already has %1; choose another language</source>
+        <translation>Tabellen har allerede&#xa0;%1; vælg et andet sprog</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::TextModel</name>
@@ -11676,6 +12046,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Reset</source>
         <translation>Nulstil</translation>
+    </message>
+    <message>
+        <source>Choose from a list</source>
+        <translation>Vælg fra en liste</translation>
     </message>
 </context>
 <context>

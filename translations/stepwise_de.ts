@@ -3317,6 +3317,18 @@
         <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
         <translation>Die Namen der Ein- und Ausgänge, die die Konfiguration der Geräte deklariert ({0} und weitere), stehen in PLC_Configuration</translation>
     </message>
+    <message>
+        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <translation>Die Datei ist kein gültiges UTF-8 und gibt keine andere Codierung an; sie wurde als {0} gelesen. Sind Buchstaben falsch, importieren Sie sie mit einer anderen Codierung erneut</translation>
+    </message>
+    <message>
+        <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
+        <translation>Der Makroschritt {0} wurde durch seine Schritte ersetzt; Schritten mit bereits vergebenem Namen ist {0} vorangestellt</translation>
+    </message>
+    <message>
+        <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
+        <translation>Das Programm verwendet {0} der Bibliothek {1}, die über eine simulierte Steuerung hinausgreift; deklarieren Sie Bausteine dieser Namen, die das tun, was die Simulation braucht</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -4512,6 +4524,10 @@
     <message>
         <source>Cross-axis alignment</source>
         <translation>Ausrichtung quer</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>alle</translation>
     </message>
 </context>
 <context>
@@ -6091,6 +6107,25 @@
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>Das Programm der Steuerung lässt sich hier nicht so übersetzen wie dort; verwenden Sie auf beiden Seiten dieselbe Version von Stepwise</translation>
     </message>
+    <message>
+        <source>{0} speaks TLS on this port; use the address {1}</source>
+        <translation>{0} verwendet an diesem Port TLS; geben Sie die Adresse {1} ein</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
+        <translation>{0} ist über TLS nicht erreichbar: {1}; starten Sie die Steuerung dort mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
+    </message>
+</context>
+<context>
+    <name>Storage</name>
+    <message>
+        <source>{0} does not have the character {1}; write the file as UTF-8</source>
+        <translation>{0} enthält das Zeichen {1} nicht; schreiben Sie die Datei als UTF-8</translation>
+    </message>
+    <message>
+        <source>The encoding {0} is not known; choose one of {1}</source>
+        <translation>Die Codierung {0} ist nicht bekannt; wählen Sie eine von {1}</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -6364,6 +6399,254 @@
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>Änderung {0} ist eine Störung: Ihre Ursache ist unbekannt, daher ergibt sie kein Modell; wählen Sie eine Änderung des Sollwerts oder des Ausgangs</translation>
+    </message>
+    <message>
+        <source>the measured value is at the end of its range for {0} % of the time</source>
+        <translation>der Messwert ist während {0}&#xa0;% der Zeit am Ende seines Bereichs</translation>
+    </message>
+    <message>
+        <source>{0}, controlled by {1}</source>
+        <translation>{0}, geregelt von {1}</translation>
+    </message>
+    <message>
+        <source>Changes in the recording</source>
+        <translation>Änderungen in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>{0} found, {1} used for the model</source>
+        <translation>{0} gefunden, {1} für das Modell verwendet</translation>
+    </message>
+    <message>
+        <source>… and {0} more</source>
+        <translation>… und {0} weitere</translation>
+    </message>
+    <message>
+        <source>No model: {0}</source>
+        <translation>Kein Modell: {0}</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>{0}, explains {1} %</source>
+        <translation>{0}, erklärt {1}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Parameters by {0}</source>
+        <translation>Parameter nach {0}</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>output at a limit</source>
+        <translation>Ausgang an einer Grenze</translation>
+    </message>
+    <message>
+        <source>mean absolute error</source>
+        <translation>mittlere absolute Regeldifferenz</translation>
+    </message>
+    <message>
+        <source>integrated absolute error</source>
+        <translation>integrierte absolute Regeldifferenz</translation>
+    </message>
+    <message>
+        <source>movements of the output in an hour</source>
+        <translation>Stellbewegungen pro Stunde</translation>
+    </message>
+    <message>
+        <source>noise of the measured value</source>
+        <translation>Rauschen des Messwerts</translation>
+    </message>
+    <message>
+        <source>at [s]</source>
+        <translation>bei [s]</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>verstellt</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Ti [s]</source>
+        <translation>Ti [s]</translation>
+    </message>
+    <message>
+        <source>Td [s]</source>
+        <translation>Td [s]</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>settling time [s]</source>
+        <translation>Ausregelzeit [s]</translation>
+    </message>
+    <message>
+        <source>error after a load step</source>
+        <translation>Regeldifferenz nach Laststörung</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Aufgezeichnet und modelliert</translation>
+    </message>
+    <message>
+        <source>Step of the set point by 1</source>
+        <translation>Sollwertsprung um 1</translation>
+    </message>
+    <message>
+        <source>Step of the load by 1</source>
+        <translation>Lastsprung um 1</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Bode-Diagramm</translation>
+    </message>
+    <message>
+        <source>Set point and measured value</source>
+        <translation>Sollwert und Messwert</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>magnitude [dB]</source>
+        <translation>Betrag [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>Phase [°]</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>Frequenz [rad/s]</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>loop now</source>
+        <translation>Regelkreis jetzt</translation>
+    </message>
+    <message>
+        <source>loop, {0}</source>
+        <translation>Regelkreis, {0}</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>gain {0} ± {1}</source>
+        <translation>Verstärkung {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>lag {0} s ± {1} s</source>
+        <translation>Zeitkonstante {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>frequency {0} rad/s ± {1} rad/s</source>
+        <translation>Frequenz {0} rad/s ± {1} rad/s</translation>
+    </message>
+    <message>
+        <source>damping {0} ± {1}</source>
+        <translation>Dämpfung {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>zero {0} s ± {1} s</source>
+        <translation>Nullstelle {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>dead time {0} s ± {1} s</source>
+        <translation>Totzeit {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
+        <translation>Die Verstärkung ist aufwärts {0} und abwärts {1}; die Einstellungen gelten für {2}.</translation>
+    </message>
+    <message>
+        <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
+        <translation>Die Verstärkung hängt vom Arbeitspunkt ab: Sie beträgt {0} bei einem Messwert um {1} und {2} um {3}; die Einstellungen gelten für {4}. Für einen Bereich allein wählen Sie nur dessen Sprünge.</translation>
+    </message>
+    <message>
+        <source>usable; the output was set to its limit</source>
+        <translation>verwendbar; der Ausgang wurde auf seine Grenze gestellt</translation>
+    </message>
+    <message>
+        <source>Loop health</source>
+        <translation>Zustand des Regelkreises</translation>
+    </message>
+    <message>
+        <source>It explains {0} % of the steps it was not fitted to.</source>
+        <translation>Von den Sprüngen, an die es nicht angepasst wurde, erklärt es {0}&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
     </message>
 </context>
 <context>
@@ -6971,6 +7254,18 @@ Nicht erhalten: %3</translation>
     <message>
         <source>Writing the project…</source>
         <translation>Projekt wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>Encoding:</source>
+        <translation>Codierung:</translation>
+    </message>
+    <message>
+        <source>Recognised</source>
+        <translation>Erkannt</translation>
+    </message>
+    <message>
+        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <translation>Für Dateien, die nicht in Unicode sind und ihre Codierung nicht angeben</translation>
     </message>
 </context>
 <context>
@@ -8015,6 +8310,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Build a Native Program…</source>
         <translation>Natives Programm erzeugen…</translation>
+    </message>
+    <message>
+        <source>%1 arranges the window for drawing panels</source>
+        <translation>%1 ordnet das Fenster zum Zeichnen von Panels an</translation>
     </message>
 </context>
 <context>
@@ -10419,14 +10718,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>vorgeschlagen</translation>
     </message>
     <message>
-        <source>Step of the set point</source>
-        <translation>Sprung des Sollwerts</translation>
-    </message>
-    <message>
-        <source>Step of the load</source>
-        <translation>Lastsprung</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Reglereinstellung</translation>
     </message>
@@ -10517,6 +10808,38 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>phase [°]</source>
         <translation>Phase [°]</translation>
+    </message>
+    <message>
+        <source>Health in figures</source>
+        <translation>Zustand in Zahlen</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>Die gesamte Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Save Report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html);;PDF (*.pdf)</source>
+        <translation>Webseiten (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Bericht geschrieben:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
+        <translation>Speichert einen Bericht über den Regelkreis mit Modell und Einstellungen als HTML oder PDF.</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Zustand</translation>
     </message>
 </context>
 <context>
@@ -11185,6 +11508,29 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::PasswordDialog</name>
+    <message>
+        <source>Set Password</source>
+        <translation>Passwort setzen</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Passwort von&#xa0;%1:</translation>
+    </message>
+    <message>
+        <source>The two passwords differ.</source>
+        <translation>Die beiden Passwörter stimmen nicht überein.</translation>
+    </message>
+    <message>
+        <source>Repeat:</source>
+        <translation>Wiederholen:</translation>
+    </message>
+    <message>
+        <source>Repeat the password.</source>
+        <translation>Wiederholen Sie das Passwort.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PeopleEditor</name>
     <message>
         <source>User</source>
@@ -11263,10 +11609,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Passwort setzen</translation>
     </message>
     <message>
-        <source>Password of %1:</source>
-        <translation>Passwort von %1:</translation>
-    </message>
-    <message>
         <source>none: cannot log in</source>
         <translation>keines: Anmelden nicht möglich</translation>
     </message>
@@ -11275,12 +11617,16 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>gesetzt</translation>
     </message>
     <message>
-        <source>Without users, everybody may do everything.</source>
-        <translation>Ohne Benutzer darf jeder alles.</translation>
-    </message>
-    <message>
         <source>Rename Role</source>
         <translation>Rolle umbenennen</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything. Add a role, then a user with a password.</source>
+        <translation>Ohne Benutzer darf jeder alles. Fügen Sie eine Rolle hinzu, dann einen Benutzer mit Passwort.</translation>
+    </message>
+    <message>
+        <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
+        <translation>Um ein Element auf bestimmte Benutzer zu beschränken, setzen Sie seine Eigenschaft „Nur für die Rollen“.</translation>
     </message>
 </context>
 <context>
@@ -11565,6 +11911,30 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Texts</source>
         <translation>Texte</translation>
     </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Remove language</source>
+        <translation>Sprache entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
+        <translation>%1 ist kein Sprachkürzel; wählen Sie eines aus der Liste oder geben Sie ein Kürzel wie de oder zh-CN ein</translation>
+    </message>
+    <message>
+        <source>The table already has %1; choose another language</source>
+        <translation>Die Tabelle hat&#xa0;%1 bereits; wählen Sie eine andere Sprache</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::TextModel</name>
@@ -11676,6 +12046,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Choose from a list</source>
+        <translation>Aus einer Liste wählen</translation>
     </message>
 </context>
 <context>

@@ -3317,6 +3317,18 @@
         <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
         <translation>Los nombres de las entradas y salidas que declara la configuración de los dispositivos ({0}, etc.) están en PLC_Configuration</translation>
     </message>
+    <message>
+        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <translation>El archivo no es UTF-8 válido y no declara otra codificación; se leyó como {0}. Si hay letras incorrectas, impórtelo de nuevo con otra codificación</translation>
+    </message>
+    <message>
+        <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
+        <translation>El macropaso {0} se sustituyó por los pasos que contiene; los pasos cuyo nombre ya existía llevan {0} delante</translation>
+    </message>
+    <message>
+        <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
+        <translation>El programa usa {0} de la biblioteca {1}, que va más allá de un controlador simulado; declare POU con esos nombres que hagan lo que la simulación necesita</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -4512,6 +4524,10 @@
     <message>
         <source>Cross-axis alignment</source>
         <translation>Alineación transversal</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>todos</translation>
     </message>
 </context>
 <context>
@@ -6091,6 +6107,25 @@
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>El programa del controlador no se puede compilar aquí como allí; use la misma versión de Stepwise en ambos lados</translation>
     </message>
+    <message>
+        <source>{0} speaks TLS on this port; use the address {1}</source>
+        <translation>{0} usa TLS en este puerto; use la dirección {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
+        <translation>No se puede acceder a {0} por TLS: {1}; inicie su controlador con --certificate o use una dirección http en el mismo equipo</translation>
+    </message>
+</context>
+<context>
+    <name>Storage</name>
+    <message>
+        <source>{0} does not have the character {1}; write the file as UTF-8</source>
+        <translation>{0} no contiene el carácter {1}; escriba el archivo en UTF-8</translation>
+    </message>
+    <message>
+        <source>The encoding {0} is not known; choose one of {1}</source>
+        <translation>La codificación {0} no se conoce; elija una de {1}</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -6364,6 +6399,254 @@
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>El cambio {0} es una perturbación: su causa es desconocida, por lo que no da un modelo; elija un cambio de la consigna o de la salida</translation>
+    </message>
+    <message>
+        <source>the measured value is at the end of its range for {0} % of the time</source>
+        <translation>el valor medido está en el extremo de su rango durante el {0}&#xa0;% del tiempo</translation>
+    </message>
+    <message>
+        <source>{0}, controlled by {1}</source>
+        <translation>{0}, regulado por {1}</translation>
+    </message>
+    <message>
+        <source>Changes in the recording</source>
+        <translation>Cambios en la grabación</translation>
+    </message>
+    <message>
+        <source>{0} found, {1} used for the model</source>
+        <translation>{0} encontrados, {1} usados para el modelo</translation>
+    </message>
+    <message>
+        <source>… and {0} more</source>
+        <translation>… y {0} más</translation>
+    </message>
+    <message>
+        <source>No model: {0}</source>
+        <translation>Sin modelo: {0}</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>{0}, explains {1} %</source>
+        <translation>{0}, explica el {1}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Parameters by {0}</source>
+        <translation>Parámetros según {0}</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>grabado</translation>
+    </message>
+    <message>
+        <source>output at a limit</source>
+        <translation>salida en un límite</translation>
+    </message>
+    <message>
+        <source>mean absolute error</source>
+        <translation>error absoluto medio</translation>
+    </message>
+    <message>
+        <source>integrated absolute error</source>
+        <translation>integral del error absoluto</translation>
+    </message>
+    <message>
+        <source>movements of the output in an hour</source>
+        <translation>movimientos de la salida por hora</translation>
+    </message>
+    <message>
+        <source>noise of the measured value</source>
+        <translation>ruido del valor medido</translation>
+    </message>
+    <message>
+        <source>at [s]</source>
+        <translation>en [s]</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>cambió</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigna</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>perturbación</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>ganancia</translation>
+    </message>
+    <message>
+        <source>Ti [s]</source>
+        <translation>Ti [s]</translation>
+    </message>
+    <message>
+        <source>Td [s]</source>
+        <translation>Td [s]</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>margen de ganancia</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>margen de fase</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>sobreoscilación</translation>
+    </message>
+    <message>
+        <source>settling time [s]</source>
+        <translation>tiempo de establecimiento [s]</translation>
+    </message>
+    <message>
+        <source>error after a load step</source>
+        <translation>error tras un escalón de carga</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>inestable</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Grabado y modelado</translation>
+    </message>
+    <message>
+        <source>Step of the set point by 1</source>
+        <translation>Escalón de consigna de 1</translation>
+    </message>
+    <message>
+        <source>Step of the load by 1</source>
+        <translation>Escalón de carga de 1</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Diagrama de Bode</translation>
+    </message>
+    <message>
+        <source>Set point and measured value</source>
+        <translation>Consigna y valor medido</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tiempo [s]</translation>
+    </message>
+    <message>
+        <source>magnitude [dB]</source>
+        <translation>magnitud [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>frecuencia [rad/s]</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modelo</translation>
+    </message>
+    <message>
+        <source>loop now</source>
+        <translation>lazo ahora</translation>
+    </message>
+    <message>
+        <source>loop, {0}</source>
+        <translation>lazo, {0}</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>proceso</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medido</translation>
+    </message>
+    <message>
+        <source>gain {0} ± {1}</source>
+        <translation>ganancia {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>lag {0} s ± {1} s</source>
+        <translation>constante de tiempo {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>frequency {0} rad/s ± {1} rad/s</source>
+        <translation>frecuencia {0} rad/s ± {1} rad/s</translation>
+    </message>
+    <message>
+        <source>damping {0} ± {1}</source>
+        <translation>amortiguamiento {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>zero {0} s ± {1} s</source>
+        <translation>cero {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>dead time {0} s ± {1} s</source>
+        <translation>tiempo muerto {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
+        <translation>La ganancia es {0} al subir y {1} al bajar; los ajustes se calculan para {2}.</translation>
+    </message>
+    <message>
+        <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
+        <translation>La ganancia depende del punto de trabajo: es {0} donde el valor medido ronda {1}, y {2} alrededor de {3}; los ajustes se calculan para {4}. Para un solo rango, elija solo sus escalones.</translation>
+    </message>
+    <message>
+        <source>usable; the output was set to its limit</source>
+        <translation>utilizable; la salida se puso en su límite</translation>
+    </message>
+    <message>
+        <source>Loop health</source>
+        <translation>Estado del lazo</translation>
+    </message>
+    <message>
+        <source>It explains {0} % of the steps it was not fitted to.</source>
+        <translation>Explica el {0}&#xa0;% de los escalones a los que no se ajustó.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuos</translation>
     </message>
 </context>
 <context>
@@ -6971,6 +7254,18 @@ No conservados: %3</translation>
     <message>
         <source>Writing the project…</source>
         <translation>Escribiendo el proyecto…</translation>
+    </message>
+    <message>
+        <source>Encoding:</source>
+        <translation>Codificación:</translation>
+    </message>
+    <message>
+        <source>Recognised</source>
+        <translation>Reconocida</translation>
+    </message>
+    <message>
+        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <translation>Para archivos que no están en Unicode y no declaran su codificación</translation>
     </message>
 </context>
 <context>
@@ -8015,6 +8310,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Build a Native Program…</source>
         <translation>Crear un programa nativo…</translation>
+    </message>
+    <message>
+        <source>%1 arranges the window for drawing panels</source>
+        <translation>%1 organiza la ventana para dibujar paneles</translation>
     </message>
 </context>
 <context>
@@ -10419,14 +10718,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>propuesto</translation>
     </message>
     <message>
-        <source>Step of the set point</source>
-        <translation>Escalón de la consigna</translation>
-    </message>
-    <message>
-        <source>Step of the load</source>
-        <translation>Escalón de la carga</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Sintonización</translation>
     </message>
@@ -10517,6 +10808,38 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>phase [°]</source>
         <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>Health in figures</source>
+        <translation>Estado en cifras</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>Toda la grabación</translation>
+    </message>
+    <message>
+        <source>Save Report</source>
+        <translation>Guardar informe</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html);;PDF (*.pdf)</source>
+        <translation>Páginas web (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Informe escrito:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
+        <translation>Guarda un informe del lazo con modelo y ajustes como HTML o PDF.</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Estado</translation>
     </message>
 </context>
 <context>
@@ -11185,6 +11508,29 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::hmi::PasswordDialog</name>
+    <message>
+        <source>Set Password</source>
+        <translation>Establecer contraseña</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Contraseña de&#xa0;%1:</translation>
+    </message>
+    <message>
+        <source>The two passwords differ.</source>
+        <translation>Las dos contraseñas no coinciden.</translation>
+    </message>
+    <message>
+        <source>Repeat:</source>
+        <translation>Repetir:</translation>
+    </message>
+    <message>
+        <source>Repeat the password.</source>
+        <translation>Repita la contraseña.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PeopleEditor</name>
     <message>
         <source>User</source>
@@ -11263,10 +11609,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Establecer contraseña</translation>
     </message>
     <message>
-        <source>Password of %1:</source>
-        <translation>Contraseña de %1:</translation>
-    </message>
-    <message>
         <source>none: cannot log in</source>
         <translation>ninguna: no puede iniciar sesión</translation>
     </message>
@@ -11275,12 +11617,16 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>establecida</translation>
     </message>
     <message>
-        <source>Without users, everybody may do everything.</source>
-        <translation>Sin usuarios, cualquiera puede hacer todo.</translation>
-    </message>
-    <message>
         <source>Rename Role</source>
         <translation>Renombrar rol</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything. Add a role, then a user with a password.</source>
+        <translation>Sin usuarios, todos pueden hacerlo todo. Añada un rol y después un usuario con contraseña.</translation>
+    </message>
+    <message>
+        <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
+        <translation>Para limitar un elemento a algunos usuarios, defina su propiedad «Solo para los roles».</translation>
     </message>
 </context>
 <context>
@@ -11565,6 +11911,30 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Texts</source>
         <translation>Textos</translation>
     </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Remove language</source>
+        <translation>Quitar idioma</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
+        <translation>%1 no es un código de idioma; elija uno de la lista o escriba un código como de o zh-CN</translation>
+    </message>
+    <message>
+        <source>The table already has %1; choose another language</source>
+        <translation>La tabla ya tiene&#xa0;%1; elija otro idioma</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::TextModel</name>
@@ -11676,6 +12046,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Reset</source>
         <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Choose from a list</source>
+        <translation>Elegir de una lista</translation>
     </message>
 </context>
 <context>

@@ -3317,6 +3317,18 @@
         <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
         <translation>Les noms des entrées et sorties que déclare la configuration des appareils ({0}, etc.) sont dans PLC_Configuration</translation>
     </message>
+    <message>
+        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <translation>Le fichier n’est pas en UTF-8 valide et ne déclare aucun autre encodage&#x202f;; il a été lu en {0}. Si des lettres sont fausses, importez-le de nouveau avec un autre encodage</translation>
+    </message>
+    <message>
+        <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
+        <translation>La macro-étape {0} a été remplacée par les étapes qu’elle contient&#x202f;; les étapes dont le nom était déjà pris sont préfixées de {0}</translation>
+    </message>
+    <message>
+        <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
+        <translation>Le programme utilise {0} de la bibliothèque {1}, qui sort du cadre d’un automate simulé&#x202f;; déclarez des POU de ces noms qui font ce dont la simulation a besoin</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -4512,6 +4524,10 @@
     <message>
         <source>Cross-axis alignment</source>
         <translation>Alignement transversal</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>tout le monde</translation>
     </message>
 </context>
 <context>
@@ -6091,6 +6107,25 @@
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>Le programme de l’automate ne peut pas être compilé ici comme là-bas&#x202f;; utilisez la même version de Stepwise des deux côtés</translation>
     </message>
+    <message>
+        <source>{0} speaks TLS on this port; use the address {1}</source>
+        <translation>{0} utilise TLS sur ce port&#x202f;; utilisez l’adresse {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
+        <translation>{0} est injoignable en TLS&#xa0;: {1}&#x202f;; démarrez son automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>Storage</name>
+    <message>
+        <source>{0} does not have the character {1}; write the file as UTF-8</source>
+        <translation>{0} ne contient pas le caractère {1}&#x202f;; écrivez le fichier en UTF-8</translation>
+    </message>
+    <message>
+        <source>The encoding {0} is not known; choose one of {1}</source>
+        <translation>L’encodage {0} est inconnu&#x202f;; choisissez parmi {1}</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -6364,6 +6399,254 @@
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle&#x202f;; choisissez une variation de la consigne ou de la sortie</translation>
+    </message>
+    <message>
+        <source>the measured value is at the end of its range for {0} % of the time</source>
+        <translation>la valeur mesurée est en bout d’échelle pendant {0}&#xa0;% du temps</translation>
+    </message>
+    <message>
+        <source>{0}, controlled by {1}</source>
+        <translation>{0}, réglé par {1}</translation>
+    </message>
+    <message>
+        <source>Changes in the recording</source>
+        <translation>Variations dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>{0} found, {1} used for the model</source>
+        <translation>{0} trouvées, {1} utilisées pour le modèle</translation>
+    </message>
+    <message>
+        <source>… and {0} more</source>
+        <translation>… et {0} autres</translation>
+    </message>
+    <message>
+        <source>No model: {0}</source>
+        <translation>Pas de modèle&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>{0}, explains {1} %</source>
+        <translation>{0}, explique {1}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Parameters by {0}</source>
+        <translation>Paramètres selon {0}</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>output at a limit</source>
+        <translation>sortie à une limite</translation>
+    </message>
+    <message>
+        <source>mean absolute error</source>
+        <translation>erreur absolue moyenne</translation>
+    </message>
+    <message>
+        <source>integrated absolute error</source>
+        <translation>intégrale de l’erreur absolue</translation>
+    </message>
+    <message>
+        <source>movements of the output in an hour</source>
+        <translation>mouvements de la sortie par heure</translation>
+    </message>
+    <message>
+        <source>noise of the measured value</source>
+        <translation>bruit de la valeur mesurée</translation>
+    </message>
+    <message>
+        <source>at [s]</source>
+        <translation>à [s]</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>variation</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>verdict</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>sortie</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigne</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>perturbation</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>gain</translation>
+    </message>
+    <message>
+        <source>Ti [s]</source>
+        <translation>Ti [s]</translation>
+    </message>
+    <message>
+        <source>Td [s]</source>
+        <translation>Td [s]</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>marge de gain</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>marge de phase</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>dépassement</translation>
+    </message>
+    <message>
+        <source>settling time [s]</source>
+        <translation>temps d’établissement [s]</translation>
+    </message>
+    <message>
+        <source>error after a load step</source>
+        <translation>erreur après un échelon de charge</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instable</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Enregistré et modélisé</translation>
+    </message>
+    <message>
+        <source>Step of the set point by 1</source>
+        <translation>Échelon de consigne de 1</translation>
+    </message>
+    <message>
+        <source>Step of the load by 1</source>
+        <translation>Échelon de charge de 1</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Diagramme de Bode</translation>
+    </message>
+    <message>
+        <source>Set point and measured value</source>
+        <translation>Consigne et valeur mesurée</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>temps [s]</translation>
+    </message>
+    <message>
+        <source>magnitude [dB]</source>
+        <translation>module [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>phase [°]</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>fréquence [rad/s]</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>loop now</source>
+        <translation>boucle actuelle</translation>
+    </message>
+    <message>
+        <source>loop, {0}</source>
+        <translation>boucle, {0}</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>procédé</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>gain {0} ± {1}</source>
+        <translation>gain {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>lag {0} s ± {1} s</source>
+        <translation>constante de temps {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>frequency {0} rad/s ± {1} rad/s</source>
+        <translation>fréquence {0} rad/s ± {1} rad/s</translation>
+    </message>
+    <message>
+        <source>damping {0} ± {1}</source>
+        <translation>amortissement {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>zero {0} s ± {1} s</source>
+        <translation>zéro {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>dead time {0} s ± {1} s</source>
+        <translation>temps mort {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
+        <translation>Le gain est de {0} à la montée et de {1} à la descente&#x202f;; les réglages sont calculés pour {2}.</translation>
+    </message>
+    <message>
+        <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
+        <translation>Le gain dépend du point de fonctionnement&#xa0;: il est de {0} lorsque la valeur mesurée est voisine de {1}, et de {2} vers {3}&#x202f;; les réglages sont calculés pour {4}. Pour une seule plage, ne choisissez que ses échelons.</translation>
+    </message>
+    <message>
+        <source>usable; the output was set to its limit</source>
+        <translation>utilisable&#x202f;; la sortie a été mise à sa limite</translation>
+    </message>
+    <message>
+        <source>Loop health</source>
+        <translation>État de la boucle</translation>
+    </message>
+    <message>
+        <source>It explains {0} % of the steps it was not fitted to.</source>
+        <translation>Il explique {0}&#xa0;% des échelons auxquels il n’a pas été ajusté.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Résidus</translation>
     </message>
 </context>
 <context>
@@ -6971,6 +7254,18 @@ Non conservés&#xa0;: %3</translation>
     <message>
         <source>Writing the project…</source>
         <translation>Écriture du projet…</translation>
+    </message>
+    <message>
+        <source>Encoding:</source>
+        <translation>Encodage&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Recognised</source>
+        <translation>Détecté</translation>
+    </message>
+    <message>
+        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <translation>Pour les fichiers qui ne sont pas en Unicode et ne déclarent pas leur encodage</translation>
     </message>
 </context>
 <context>
@@ -8015,6 +8310,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Build a Native Program…</source>
         <translation>Créer un programme natif…</translation>
+    </message>
+    <message>
+        <source>%1 arranges the window for drawing panels</source>
+        <translation>%1 dispose la fenêtre pour dessiner des panneaux</translation>
     </message>
 </context>
 <context>
@@ -10419,14 +10718,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>proposé</translation>
     </message>
     <message>
-        <source>Step of the set point</source>
-        <translation>Échelon de consigne</translation>
-    </message>
-    <message>
-        <source>Step of the load</source>
-        <translation>Échelon de charge</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Réglage</translation>
     </message>
@@ -10517,6 +10808,38 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>phase [°]</source>
         <translation>phase [°]</translation>
+    </message>
+    <message>
+        <source>Health in figures</source>
+        <translation>État en chiffres</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>L’enregistrement entier</translation>
+    </message>
+    <message>
+        <source>Save Report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html);;PDF (*.pdf)</source>
+        <translation>Pages web (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Rapport écrit&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
+        <translation>Enregistre un rapport sur la boucle avec modèle et réglages en HTML ou PDF.</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>État</translation>
     </message>
 </context>
 <context>
@@ -11185,6 +11508,29 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::hmi::PasswordDialog</name>
+    <message>
+        <source>Set Password</source>
+        <translation>Définir le mot de passe</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Mot de passe de&#xa0;%1&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The two passwords differ.</source>
+        <translation>Les deux mots de passe sont différents.</translation>
+    </message>
+    <message>
+        <source>Repeat:</source>
+        <translation>Répéter&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Repeat the password.</source>
+        <translation>Répétez le mot de passe.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PeopleEditor</name>
     <message>
         <source>User</source>
@@ -11263,10 +11609,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Définir le mot de passe</translation>
     </message>
     <message>
-        <source>Password of %1:</source>
-        <translation>Mot de passe de %1&#xa0;:</translation>
-    </message>
-    <message>
         <source>none: cannot log in</source>
         <translation>aucun&#xa0;: connexion impossible</translation>
     </message>
@@ -11275,12 +11617,16 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>défini</translation>
     </message>
     <message>
-        <source>Without users, everybody may do everything.</source>
-        <translation>Sans utilisateurs, chacun peut tout faire.</translation>
-    </message>
-    <message>
         <source>Rename Role</source>
         <translation>Renommer le rôle</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything. Add a role, then a user with a password.</source>
+        <translation>Sans utilisateurs, tout est permis à tous. Ajoutez un rôle, puis un utilisateur avec un mot de passe.</translation>
+    </message>
+    <message>
+        <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
+        <translation>Pour réserver un élément à certains utilisateurs, définissez sa propriété «&#xa0;Seulement pour les rôles&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -11565,6 +11911,30 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Texts</source>
         <translation>Textes</translation>
     </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Remove language</source>
+        <translation>Retirer la langue</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
+        <translation>%1 n’est pas un code de langue&#x202f;; choisissez-en un dans la liste ou saisissez un code tel que de ou zh-CN</translation>
+    </message>
+    <message>
+        <source>The table already has %1; choose another language</source>
+        <translation>Le tableau contient déjà&#xa0;%1&#x202f;; choisissez une autre langue</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::TextModel</name>
@@ -11676,6 +12046,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Reset</source>
         <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Choose from a list</source>
+        <translation>Choisir dans une liste</translation>
     </message>
 </context>
 <context>

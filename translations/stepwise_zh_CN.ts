@@ -3317,6 +3317,18 @@
         <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
         <translation>设备配置所声明的输入和输出的名称（{0} 等）在 PLC_Configuration 中</translation>
     </message>
+    <message>
+        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <translation>该文件不是有效的 UTF-8，也没有声明其他编码；已按 {0} 读取。如果字符有误，请选择其他编码重新导入</translation>
+    </message>
+    <message>
+        <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
+        <translation>宏步 {0} 已替换为其中的各步；名称已被占用的步前面加上了 {0}</translation>
+    </message>
+    <message>
+        <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
+        <translation>程序使用了库 {1} 中的 {0}，它们涉及仿真控制器之外的内容；请声明同名的 POU，实现仿真所需的功能</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -4511,6 +4523,10 @@
     <message>
         <source>Cross-axis alignment</source>
         <translation>交叉轴对齐</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>所有人</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6105,25 @@
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>控制器的程序无法在此处按其原样编译；请两侧使用相同版本的 Stepwise</translation>
     </message>
+    <message>
+        <source>{0} speaks TLS on this port; use the address {1}</source>
+        <translation>{0} 在此端口使用 TLS；请使用地址 {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
+        <translation>无法通过 TLS 连接 {0}：{1}；请用 --certificate 启动其控制器，或在同一台计算机上使用 http 地址</translation>
+    </message>
+</context>
+<context>
+    <name>Storage</name>
+    <message>
+        <source>{0} does not have the character {1}; write the file as UTF-8</source>
+        <translation>{0} 中没有字符 {1}；请将文件保存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>The encoding {0} is not known; choose one of {1}</source>
+        <translation>未知编码 {0}；请从 {1} 中选择</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -6362,6 +6397,254 @@
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
         <translation>变化 {0} 是扰动：原因未知，因此无法建立模型；请选择设定值或输出的变化</translation>
+    </message>
+    <message>
+        <source>the measured value is at the end of its range for {0} % of the time</source>
+        <translation>测量值有 {0} % 的时间处于量程端点</translation>
+    </message>
+    <message>
+        <source>{0}, controlled by {1}</source>
+        <translation>{0}，由 {1} 控制</translation>
+    </message>
+    <message>
+        <source>Changes in the recording</source>
+        <translation>记录中的变化</translation>
+    </message>
+    <message>
+        <source>{0} found, {1} used for the model</source>
+        <translation>找到 {0} 个，{1} 个用于建模</translation>
+    </message>
+    <message>
+        <source>… and {0} more</source>
+        <translation>……另有 {0} 个</translation>
+    </message>
+    <message>
+        <source>No model: {0}</source>
+        <translation>没有模型：{0}</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>{0}, explains {1} %</source>
+        <translation>{0}，解释 {1} %</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>图表</translation>
+    </message>
+    <message>
+        <source>Parameters by {0}</source>
+        <translation>按 {0} 的参数</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>已记录</translation>
+    </message>
+    <message>
+        <source>output at a limit</source>
+        <translation>输出处于限值</translation>
+    </message>
+    <message>
+        <source>mean absolute error</source>
+        <translation>平均绝对误差</translation>
+    </message>
+    <message>
+        <source>integrated absolute error</source>
+        <translation>绝对误差积分</translation>
+    </message>
+    <message>
+        <source>movements of the output in an hour</source>
+        <translation>每小时输出动作量</translation>
+    </message>
+    <message>
+        <source>noise of the measured value</source>
+        <translation>测量值噪声</translation>
+    </message>
+    <message>
+        <source>at [s]</source>
+        <translation>时刻 [s]</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>变化量</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>扰动</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Ti [s]</source>
+        <translation>Ti [s]</translation>
+    </message>
+    <message>
+        <source>Td [s]</source>
+        <translation>Td [s]</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>增益裕度</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>settling time [s]</source>
+        <translation>调节时间 [s]</translation>
+    </message>
+    <message>
+        <source>error after a load step</source>
+        <translation>负载阶跃后的误差</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>记录与模型</translation>
+    </message>
+    <message>
+        <source>Step of the set point by 1</source>
+        <translation>设定值阶跃 1</translation>
+    </message>
+    <message>
+        <source>Step of the load by 1</source>
+        <translation>负载阶跃 1</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>伯德图</translation>
+    </message>
+    <message>
+        <source>Set point and measured value</source>
+        <translation>设定值与测量值</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>magnitude [dB]</source>
+        <translation>幅值 [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>相位 [°]</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>频率 [rad/s]</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>loop now</source>
+        <translation>当前回路</translation>
+    </message>
+    <message>
+        <source>loop, {0}</source>
+        <translation>回路，{0}</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>过程</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>gain {0} ± {1}</source>
+        <translation>增益 {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>lag {0} s ± {1} s</source>
+        <translation>时间常数 {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>frequency {0} rad/s ± {1} rad/s</source>
+        <translation>频率 {0} rad/s ± {1} rad/s</translation>
+    </message>
+    <message>
+        <source>damping {0} ± {1}</source>
+        <translation>阻尼 {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>zero {0} s ± {1} s</source>
+        <translation>零点 {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>dead time {0} s ± {1} s</source>
+        <translation>死区时间 {0} s ± {1} s</translation>
+    </message>
+    <message>
+        <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
+        <translation>上升增益为 {0}，下降增益为 {1}；设置按 {2} 计算。</translation>
+    </message>
+    <message>
+        <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
+        <translation>增益取决于工作点：测量值约为 {1} 时为 {0}，约为 {3} 时为 {2}；设置按 {4} 计算。若只针对一个范围，请只选择该范围的阶跃。</translation>
+    </message>
+    <message>
+        <source>usable; the output was set to its limit</source>
+        <translation>可用；输出被设为其限值</translation>
+    </message>
+    <message>
+        <source>Loop health</source>
+        <translation>回路状况</translation>
+    </message>
+    <message>
+        <source>It explains {0} % of the steps it was not fitted to.</source>
+        <translation>对未用于拟合的阶跃，它解释了 {0} %。</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
     </message>
 </context>
 <context>
@@ -6965,6 +7248,18 @@ Not kept: %3</source>
     <message>
         <source>Writing the project…</source>
         <translation>正在写入项目…</translation>
+    </message>
+    <message>
+        <source>Encoding:</source>
+        <translation>编码：</translation>
+    </message>
+    <message>
+        <source>Recognised</source>
+        <translation>自动识别</translation>
+    </message>
+    <message>
+        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <translation>用于非 Unicode 且未声明编码的文件</translation>
     </message>
 </context>
 <context>
@@ -8007,6 +8302,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Build a Native Program…</source>
         <translation>生成本机程序…</translation>
+    </message>
+    <message>
+        <source>%1 arranges the window for drawing panels</source>
+        <translation>%1 将窗口布置为绘制面板</translation>
     </message>
 </context>
 <context>
@@ -10403,14 +10702,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>建议</translation>
     </message>
     <message>
-        <source>Step of the set point</source>
-        <translation>设定值阶跃</translation>
-    </message>
-    <message>
-        <source>Step of the load</source>
-        <translation>负载阶跃</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>参数整定</translation>
     </message>
@@ -10501,6 +10792,38 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>phase [°]</source>
         <translation>相位 [°]</translation>
+    </message>
+    <message>
+        <source>Health in figures</source>
+        <translation>状况数据</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>整个记录</translation>
+    </message>
+    <message>
+        <source>Save Report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html);;PDF (*.pdf)</source>
+        <translation>网页 (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>报告已写入：%1</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>报告…</translation>
+    </message>
+    <message>
+        <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
+        <translation>将回路报告（含模型和设置）保存为 HTML 或 PDF。</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>状况</translation>
     </message>
 </context>
 <context>
@@ -11169,6 +11492,29 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::hmi::PasswordDialog</name>
+    <message>
+        <source>Set Password</source>
+        <translation>设置密码</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>%1 的密码：</translation>
+    </message>
+    <message>
+        <source>The two passwords differ.</source>
+        <translation>两次输入的密码不一致。</translation>
+    </message>
+    <message>
+        <source>Repeat:</source>
+        <translation>重复：</translation>
+    </message>
+    <message>
+        <source>Repeat the password.</source>
+        <translation>请重复密码。</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PeopleEditor</name>
     <message>
         <source>User</source>
@@ -11247,10 +11593,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>设置密码</translation>
     </message>
     <message>
-        <source>Password of %1:</source>
-        <translation>%1 的密码：</translation>
-    </message>
-    <message>
         <source>none: cannot log in</source>
         <translation>无：无法登录</translation>
     </message>
@@ -11259,12 +11601,16 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>已设置</translation>
     </message>
     <message>
-        <source>Without users, everybody may do everything.</source>
-        <translation>没有用户时，任何人都可以执行所有操作。</translation>
-    </message>
-    <message>
         <source>Rename Role</source>
         <translation>重命名角色</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything. Add a role, then a user with a password.</source>
+        <translation>没有用户时，所有人都可以执行所有操作。请先添加角色，再添加带密码的用户。</translation>
+    </message>
+    <message>
+        <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
+        <translation>要将元素限制给某些用户，请设置其属性“仅限角色”。</translation>
     </message>
 </context>
 <context>
@@ -11544,6 +11890,30 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Texts</source>
         <translation>文本</translation>
     </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Remove language</source>
+        <translation>移除语言</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
+        <translation>%1 不是语言标签；请从列表中选择，或输入 de、zh-CN 之类的标签</translation>
+    </message>
+    <message>
+        <source>The table already has %1; choose another language</source>
+        <translation>表中已有 %1；请选择其他语言</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::TextModel</name>
@@ -11655,6 +12025,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Reset</source>
         <translation>重置</translation>
+    </message>
+    <message>
+        <source>Choose from a list</source>
+        <translation>从列表中选择</translation>
     </message>
 </context>
 <context>

@@ -209,7 +209,7 @@ TEST_F(TuningDock, HowTheLoopIsDoingIsATabAndAPageInAFile) {
     QFile page(folder.path() + "/loop.html");
     ASSERT_TRUE(page.open(QIODevice::ReadOnly));
     const QString text = QString::fromUtf8(page.readAll());
-    for (const char* expected : {"<h1>Main.pid</h1>", "How it is doing", "Main.Measured", "<polyline", "SIMC", "i_rKp"})
+    for (const char* expected : {"<h1>Main.pid</h1>", "Loop health", "Main.Measured", "<polyline", "SIMC", "i_rKp"})
         EXPECT_TRUE(text.contains(expected)) << expected;
     EXPECT_FALSE(text.contains("nan"));
     view->writeReport(folder.path() + "/loop.pdf");

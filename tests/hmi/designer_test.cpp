@@ -448,7 +448,7 @@ TEST(Texts, ALanguageIsChosenByItsNameAndNonsenseIsRefused) {
     answers.start(20);
     QTest::mouseClick(button, Qt::LeftButton);
     ASSERT_EQ(seen.size(), 1);
-    EXPECT_TRUE(seen[0].startsWith("machine is no language; ")) << seen[0].toStdString();
+    EXPECT_TRUE(seen[0].startsWith("machine is not a language tag; ")) << seen[0].toStdString();
     EXPECT_TRUE(studio.project.texts.table().tags().contains("fr"));
     EXPECT_FALSE(studio.project.texts.table().tags().contains("machine"));
 }

@@ -58,9 +58,9 @@ QString whyNot(const QString& typed, const QString& tag) {
     if (tag.isEmpty())
         return QCoreApplication::translate(
                    "plc::hmi::TextEditor",
-                   "%1 is no language; choose one from the list, or enter a tag such as de or zh-CN")
+                   "%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN")
             .arg(typed);
-    return QCoreApplication::translate("plc::hmi::TextEditor", "The table has %1 already; choose another language")
+    return QCoreApplication::translate("plc::hmi::TextEditor", "The table already has %1; choose another language")
         .arg(typed);
 }
 

@@ -18,7 +18,7 @@ PasswordDialog::PasswordDialog(const QString& user, QWidget* parent)
     m_ok = buttons->button(QDialogButtonBox::Ok);
     auto* layout = new QFormLayout(this);
     layout->addRow(tr("Password of %1:").arg(user), m_first);
-    layout->addRow(tr("Once more:"), m_again);
+    layout->addRow(tr("Repeat:"), m_again);
     layout->addRow(m_problem);
     layout->addRow(buttons);
     m_problem->setWordWrap(true);
@@ -45,7 +45,7 @@ void PasswordDialog::check() {
     if (!weakness.isEmpty())
         problem = kit::messageText(weakness);
     else if (!isSame)
-        problem = m_again->text().isEmpty() ? tr("Type the password once more.") : tr("The two passwords differ.");
+        problem = m_again->text().isEmpty() ? tr("Repeat the password.") : tr("The two passwords differ.");
     m_problem->setText(problem);
     m_ok->setEnabled(problem.isEmpty());
 }

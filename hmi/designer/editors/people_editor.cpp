@@ -310,7 +310,7 @@ void PeopleEditor::rebuild() {
     m_timeout->setValue(people.timeout());
     m_problem->setText(people.isEmpty()
                            ? tr("Without users, everybody may do everything. Add a role, then a user with a password.")
-                           : tr("What only some may do is set at the element, as \"Only for the roles\"."));
+                           : tr("To restrict an element to some users, set its property \"Only for the roles\"."));
 }
 
 } // namespace plc::hmi

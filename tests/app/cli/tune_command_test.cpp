@@ -103,7 +103,7 @@ TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
               cli::kGood)
         << err;
     const std::string page = read("loop.html");
-    EXPECT_NE(page.find("<h2>How it is doing</h2>"), std::string::npos);
+    EXPECT_NE(page.find("<h2>Loop health</h2>"), std::string::npos);
     EXPECT_NE(page.find(">Model</h2>"), std::string::npos);
     EXPECT_NE(page.find("<polyline"), std::string::npos);
     EXPECT_EQ(page.find("nan"), std::string::npos);
@@ -112,7 +112,7 @@ TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
                        path("quiet.html")}),
               cli::kGood)
         << err;
-    EXPECT_NE(read("quiet.html").find("How it is doing"), std::string::npos);
+    EXPECT_NE(read("quiet.html").find("Loop health"), std::string::npos);
 }
 
 TEST_F(TuneCommand, TheBodePlotHasItsMargins) {
