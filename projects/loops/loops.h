@@ -2,7 +2,7 @@
 // parameters come from. Functions and values; any thread, a history may still be written meanwhile.
 #pragma once
 #include "projects/tuning/block_forms.h"
-#include "projects/tuning/series.h"
+#include "projects/tuning/model/series.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/history/history.h"
 

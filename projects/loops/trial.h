@@ -4,7 +4,7 @@
 // controller of its own.
 #pragma once
 #include "projects/loops/loops.h"
-#include "projects/tuning/process_model.h"
+#include "projects/tuning/model/process_model.h"
 
 namespace plc::loops {
 

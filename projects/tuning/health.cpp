@@ -1,7 +1,7 @@
 #include "projects/tuning/health.h"
 
-#include "projects/tuning/errors.h"
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/errors.h"
+#include "projects/tuning/model/find.h"
 #include "projects/tuning/valve_fit.h"
 
 #include <algorithm>

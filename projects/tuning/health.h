@@ -2,7 +2,7 @@
 // at its limits, the error, the effort, the share of noise. Values and functions, any thread.
 #pragma once
 #include "projects/tuning/loop.h"
-#include "projects/tuning/series.h"
+#include "projects/tuning/model/series.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // A loop of process and controller in the frequency domain: sensitivity, margins, the points of a Bode plot; and the
 // controller's gains as every rule speaks of them. Values and functions, any thread.
 #pragma once
-#include "projects/tuning/process_model.h"
+#include "projects/tuning/model/process_model.h"
 
 #include <functional>
 

@@ -1,5 +1,5 @@
-#include "projects/tuning/errors.h"
 #include "projects/tuning/loop_report.h"
+#include "projects/tuning/model/errors.h"
 
 #include <algorithm>
 

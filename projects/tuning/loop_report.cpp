@@ -1,6 +1,6 @@
 #include "projects/tuning/loop_report.h"
 
-#include "projects/tuning/errors.h"
+#include "projects/tuning/model/errors.h"
 #include "runtime/base/xml_text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "projects/tuning/proposal.h"
 
-#include "projects/tuning/errors.h"
+#include "projects/tuning/model/errors.h"
 
 #include <algorithm>
 #include <cmath>

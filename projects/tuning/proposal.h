@@ -1,7 +1,7 @@
 // Settings for a loop with everything that is to be known of them before they are written: margins, responses, what
 // that means in plain words. Values and functions, any thread.
 #pragma once
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 #include "projects/tuning/response.h"
 #include "projects/tuning/rules.h"
 

@@ -1,6 +1,6 @@
 #include "projects/tuning/valve_fit.h"
 
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 
 #include <Eigen/Dense>
 

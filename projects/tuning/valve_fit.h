@@ -1,7 +1,7 @@
 // Whether a valve that sticks explains an oscillation: a process behind a valve with friction is fitted to what was
 // recorded, and the same without friction. Values and functions, any thread.
 #pragma once
-#include "projects/tuning/series.h"
+#include "projects/tuning/model/series.h"
 
 #include <optional>
 

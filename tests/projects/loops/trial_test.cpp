@@ -3,7 +3,7 @@
 #include "projects/loops/trial.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Steps planted in long recordings are found, and nothing else is; what is not usable is said to be so, and why.
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 #include "tests/projects/tuning/processes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Disturbances of a loop in its recording: found beside the steps, those that are not usable with the reason.
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 #include "tests/projects/tuning/processes.h"
 
 #include <gtest/gtest.h>

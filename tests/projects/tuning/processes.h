@@ -1,6 +1,6 @@
 // The families of processes that tuning rules are usually tried on, and recordings made from them. For tests.
 #pragma once
-#include "projects/tuning/identify.h"
+#include "projects/tuning/model/identify.h"
 
 #include <cmath>
 #include <random>

@@ -1,8 +1,8 @@
 // Finds the steps in a recording that a model can be made from, and says of the others why not. One pass over the
 // samples. Values and functions, any thread.
 #pragma once
-#include "projects/tuning/identify.h"
-#include "projects/tuning/series.h"
+#include "projects/tuning/model/identify.h"
+#include "projects/tuning/model/series.h"
 
 namespace plc::tuning {
 

@@ -1,7 +1,7 @@
 // Finds the model that explains recorded steps: output error, least squares over several excerpts at once, the
 // structure chosen by validation on what was left out. Values and functions, any thread.
 #pragma once
-#include "projects/tuning/process_model.h"
+#include "projects/tuning/model/process_model.h"
 
 #include <string_view>
 
@@ -16,7 +16,7 @@ struct Excerpt {
 
 enum class Structure : uint8_t {
 #define PLC_STRUCTURE(Name, Title) Name,
-#include "projects/tuning/structures.def"
+#include "projects/tuning/model/structures.def"
 };
 [[nodiscard]] std::string_view title(Structure structure);
 

@@ -7,5 +7,5 @@ namespace plc::tuning::errors {
 using namespace plc::errors;
 using messages::Real;
 #define PLC_MESSAGE(Row, Text, ...) inline constexpr messages::TypedForm<__VA_ARGS__> Row{"Tuning", #Row, Text};
-#include "projects/tuning/messages.def"
+#include "projects/tuning/model/messages.def"
 } // namespace plc::tuning::errors

@@ -1,7 +1,7 @@
 // The fit of one structure to excerpts: nonlinear least squares of the output error; gain, zero and each excerpt's
 // offset are solved for directly. Used by identify() alone. Functions, any thread.
 #pragma once
-#include "projects/tuning/identify.h"
+#include "projects/tuning/model/identify.h"
 
 namespace plc::tuning {
 

@@ -1,6 +1,6 @@
-#include "projects/tuning/series.h"
+#include "projects/tuning/model/series.h"
 
-#include "projects/tuning/errors.h"
+#include "projects/tuning/model/errors.h"
 #include "projects/waveform/table.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 
-#include "projects/tuning/errors.h"
+#include "projects/tuning/model/errors.h"
 
 #include <algorithm>
 #include <cmath>

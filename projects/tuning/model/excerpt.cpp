@@ -1,4 +1,4 @@
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/find.h"
 
 #include <algorithm>
 #include <cmath>

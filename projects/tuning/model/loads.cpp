@@ -1,5 +1,5 @@
-#include "projects/tuning/errors.h"
-#include "projects/tuning/find.h"
+#include "projects/tuning/model/errors.h"
+#include "projects/tuning/model/find.h"
 
 #include <algorithm>
 #include <cmath>

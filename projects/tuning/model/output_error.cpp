@@ -1,4 +1,4 @@
-#include "projects/tuning/output_error.h"
+#include "projects/tuning/model/output_error.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>

@@ -1,4 +1,4 @@
-#include "projects/tuning/process_model.h"
+#include "projects/tuning/model/process_model.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>

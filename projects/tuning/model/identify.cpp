@@ -1,6 +1,6 @@
-#include "projects/tuning/identify.h"
+#include "projects/tuning/model/identify.h"
 
-#include "projects/tuning/output_error.h"
+#include "projects/tuning/model/output_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ std::string_view title(Structure structure) {
 #define PLC_STRUCTURE(Name, Title)                                                                                     \
     case Structure::Name:                                                                                              \
         return Title;
-#include "projects/tuning/structures.def"
+#include "projects/tuning/model/structures.def"
     }
     return {};
 }
@@ -166,7 +166,7 @@ std::vector<Structure> firstStructures() {
     std::vector<Structure> out;
     for (const Structure structure : {
 #define PLC_STRUCTURE(Name, Title) Structure::Name,
-#include "projects/tuning/structures.def"
+#include "projects/tuning/model/structures.def"
          }) {
         const auto longer = longerChains();
         if (std::find(longer.begin(), longer.end(), structure) == longer.end()) out.push_back(structure);

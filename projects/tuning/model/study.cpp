@@ -1,6 +1,6 @@
-#include "projects/tuning/errors.h"
-#include "projects/tuning/find.h"
-#include "projects/tuning/output_error.h"
+#include "projects/tuning/model/errors.h"
+#include "projects/tuning/model/find.h"
+#include "projects/tuning/model/output_error.h"
 
 #include <algorithm>
 #include <cmath>
