@@ -10990,8 +10990,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::editor::WhyView</name>
     <message>
-        <source>A variable or an expression, such as Main.level &gt; 80</source>
-        <translation>En variabel eller et udtryk, for eksempel Main.level &gt; 80</translation>
+        <source>For example Main.level &gt; 80</source>
+        <translation>For eksempel Main.level &gt; 80</translation>
     </message>
     <message>
         <source>Variable or expression to explain</source>

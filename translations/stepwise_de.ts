@@ -10990,8 +10990,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::editor::WhyView</name>
     <message>
-        <source>A variable or an expression, such as Main.level &gt; 80</source>
-        <translation>Eine Variable oder ein Ausdruck, zum Beispiel Main.level &gt; 80</translation>
+        <source>For example Main.level &gt; 80</source>
+        <translation>Zum Beispiel Main.level &gt; 80</translation>
     </message>
     <message>
         <source>Variable or expression to explain</source>

@@ -10990,8 +10990,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::editor::WhyView</name>
     <message>
-        <source>A variable or an expression, such as Main.level &gt; 80</source>
-        <translation>Una variable o una expresión, por ejemplo Main.level &gt; 80</translation>
+        <source>For example Main.level &gt; 80</source>
+        <translation>Por ejemplo Main.level &gt; 80</translation>
     </message>
     <message>
         <source>Variable or expression to explain</source>

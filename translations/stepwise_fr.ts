@@ -10990,8 +10990,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::editor::WhyView</name>
     <message>
-        <source>A variable or an expression, such as Main.level &gt; 80</source>
-        <translation>Une variable ou une expression, par exemple Main.level &gt; 80</translation>
+        <source>For example Main.level &gt; 80</source>
+        <translation>Par exemple Main.level &gt; 80</translation>
     </message>
     <message>
         <source>Variable or expression to explain</source>

@@ -10974,8 +10974,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::editor::WhyView</name>
     <message>
-        <source>A variable or an expression, such as Main.level &gt; 80</source>
-        <translation>变量或表达式，例如 Main.level &gt; 80</translation>
+        <source>For example Main.level &gt; 80</source>
+        <translation>例如 Main.level &gt; 80</translation>
     </message>
     <message>
         <source>Variable or expression to explain</source>

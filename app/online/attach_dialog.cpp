@@ -31,6 +31,7 @@ AttachDialog::AttachDialog(Attachment& attachment, QWidget* parent)
     m_code->setEchoMode(QLineEdit::Password);
     m_code->setPlaceholderText(tr("from the file attach-code of the controller"));
     m_certificate->setObjectName("certificate");
+    m_certificate->setAccessibleName(tr("Trusted certificate"));
     m_certificate->setPlaceholderText(tr("only for certificates that this computer does not know"));
     connect(m_address, &QComboBox::activated, this,
             [this](int row) { m_certificate->setText(m_address->itemData(row).toString()); });

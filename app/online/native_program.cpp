@@ -48,6 +48,7 @@ NativeProgramDialog::NativeProgramDialog(QWidget* window, const QString& folder,
     m_target->setObjectName("target");
     m_output->setText(folder + "/" + QFileInfo(folder).fileName() + "-" + m_target->currentText());
     m_output->setObjectName("output");
+    m_output->setAccessibleName(tr("File"));
     auto* browse = new QToolButton;
     browse->setText(tr("…"));
     browse->setAccessibleName(tr("Choose the file"));

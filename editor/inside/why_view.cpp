@@ -55,7 +55,7 @@ WhyView::WhyView(InsideDesk& desk, RunControl& control, QWidget* parent)
     : QWidget(parent), m_desk(desk), m_control(control) {
     m_input = new kit::ExpressionEdit(this);
     m_input->setObjectName("whyExpression");
-    m_input->setPlaceholderText(tr("A variable or an expression, such as Main.level > 80"));
+    m_input->setPlaceholderText(tr("For example Main.level > 80"));
     m_input->setAccessibleName(tr("Variable or expression to explain"));
     const auto button = [this](const QString& text, const QString& tip, const char* name, kit::AskWhy question) {
         auto* made = new QToolButton(this);

@@ -87,10 +87,6 @@ END_PROGRAM
 const char* const kAlarms = R"({"version": 1, "classes": [{"name": "fault", "title": "@fault"}],
   "alarms": [{"id": "1", "condition": "Main.done", "class": "fault", "text": "@hot"}]})";
 
-const char* const kDevices = R"({"devices": [{"name": "Pump", "protocol": "modbus-tcp", "host": "192.168.0.10",
-  "channels": [{"name": "Limit", "variable": "Main.limit", "address": 4},
-               {"name": "Done", "variable": "Main.done", "direction": "out", "table": "coil", "address": 0}]}]})";
-
 void write(const QString& path, const std::string& text) {
     QDir().mkpath(QFileInfo(path).path());
     QFile file(path);
@@ -167,7 +163,6 @@ void writeProjectOfAllKinds(const QString& folder) {
     write(folder + "/tests/first.st", "TEST 'turns'\nRUN T#20ms;\nASSERT Main.counter > 0;\nEND_TEST\n");
     write(folder + "/hmi/all.panel.json", panelOfAllKinds());
     write(folder + "/hmi/alarms.json", kAlarms);
-    write(folder + "/devices.json", kDevices);
     write(folder + "/hmi/texts.csv", "key,comment,en\nfault,,Fault\nhot,,Hot\nState.0,,Off\n");
 }
 
@@ -194,7 +189,6 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     look(window, "main window");
     for (const char* dock : {"why", "tuning", "devices"}) {
         window.showDock(dock);
-        if (dock == std::string("devices")) DevicesView::of(window).select("Pump");
         settle();
         look(window, dock);
     }
