@@ -32,12 +32,16 @@ void paintRulerMark(QPainter& painter, const QPointF& from, const QPointF& to, c
     painter.drawEllipse(from, 3, 3);
     painter.drawEllipse(to, 3, 3);
     const QFontMetricsF metrics(font);
-    const QRectF tag = tagRect(to, {metrics.horizontalAdvance(text) + 14, metrics.height() + 4}, area);
+    QString shown = text;
+    if (metrics.horizontalAdvance(text) + 18 > area.width()) // one figure below the other
+        shown.replace(QStringLiteral("   "), QStringLiteral("\n"));
+    const QSizeF size = metrics.size(0, shown);
+    const QRectF tag = tagRect(to, {size.width() + 14, size.height() + 4}, area);
     painter.setPen(Qt::NoPen);
     painter.drawRoundedRect(tag, 3, 3);
     painter.setPen(colors.plotGround);
     painter.setFont(font);
-    painter.drawText(tag, Qt::AlignCenter, text);
+    painter.drawText(tag, Qt::AlignCenter, shown);
     painter.restore();
 }
 

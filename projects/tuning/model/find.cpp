@@ -254,13 +254,26 @@ void judge(const Context& context, FoundStep& step) {
                                                       : errors::StepUsable());
 }
 
+/// What a whole number of a converter moves by at least; 0 where the values never repeat.
+double quantumOf(const std::vector<double>& values, size_t begin, size_t end) {
+    double quantum = 0;
+    bool repeats = false;
+    for (size_t i = begin + 1; i < end; ++i) {
+        const double moved = std::abs(values[i] - values[i - 1]);
+        if (moved == 0) repeats = true;
+        if (moved > 0 && (quantum == 0 || moved < quantum)) quantum = moved;
+    }
+    return repeats ? quantum : 0;
+}
+
 /// From one level straight to the next, as a ramp goes; a controller does not.
 bool isStraight(const std::vector<double>& values, const Change& change) {
     const double height = change.to - change.from;
     const auto length = static_cast<double>(change.settled - change.start + 1);
+    const double tolerance = std::max(0.002 * std::abs(height), 0.6 * quantumOf(values, change.start, change.settled));
     for (size_t i = change.start; i < change.settled; ++i) {
         const double share = static_cast<double>(i - change.start + 1) / length;
-        if (std::abs(values[i] - change.from - share * height) > 0.02 * std::abs(height)) return false;
+        if (std::abs(values[i] - change.from - share * height) > tolerance) return false;
     }
     return true;
 }
