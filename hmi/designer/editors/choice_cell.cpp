@@ -23,6 +23,20 @@ protected:
     }
     void wheelEvent(QWheelEvent*) override {}
 };
+
+/// What choosing a name does is written before it. (It also keeps the items apart from what is typed: when editing
+/// ends, a combo box chooses the item that the text is equal to.)
+void offer(QComboBox& combo, const QString& list) {
+    const QStringList chosen = kit::wordsOf(list);
+    for (int i = 0; i < combo.count(); ++i) {
+        const QString name = combo.itemData(i).toString();
+        const bool isChosen = chosen.contains(name, Qt::CaseInsensitive);
+        combo.setItemText(i, (isChosen ? QStringLiteral("\u2212 ") : QStringLiteral("+ ")) + name);
+    }
+    combo.setProperty(kTyped, list);
+    combo.setEditText(list);
+}
+
 } // namespace
 
 ChoiceCell::ChoiceCell(std::function<QStringList()> choices, Takes takes, QObject* parent)
@@ -33,16 +47,14 @@ QWidget* ChoiceCell::createEditor(QWidget* parent, const QStyleOptionViewItem&, 
     combo->setEditable(true);
     combo->setInsertPolicy(QComboBox::NoInsert);
     combo->setFrame(false);
-    combo->addItems(m_choices());
     combo->lineEdit()->setAccessibleName(index.model()->headerData(index.column(), Qt::Horizontal).toString());
+    for (const QString& name : m_choices()) combo->addItem(name, name);
     if (m_takes == Takes::One) return combo;
     combo->setCompleter(nullptr); // it would complete the whole list of names, not the last of them
     connect(combo->lineEdit(), &QLineEdit::textEdited, combo,
             [combo](const QString& text) { combo->setProperty(kTyped, text); });
-    connect(combo, &QComboBox::textActivated, combo, [combo](const QString& name) {
-        const QString list = kit::withToggled(combo->property(kTyped).toString(), name);
-        combo->setProperty(kTyped, list);
-        combo->setEditText(list);
+    connect(combo, &QComboBox::activated, combo, [combo](int row) {
+        offer(*combo, kit::withToggled(combo->property(kTyped).toString(), combo->itemData(row).toString()));
     });
     return combo;
 }
@@ -50,9 +62,13 @@ QWidget* ChoiceCell::createEditor(QWidget* parent, const QStyleOptionViewItem&, 
 void ChoiceCell::setEditorData(QWidget* editor, const QModelIndex& index) const {
     auto* combo = qobject_cast<QComboBox*>(editor);
     const QString text = index.data(Qt::EditRole).toString();
-    combo->setProperty(kTyped, text);
-    combo->setCurrentIndex(combo->findText(text, Qt::MatchFixedString));
-    combo->setEditText(text);
+    if (m_takes == Takes::Several) {
+        combo->setCurrentIndex(-1);
+        offer(*combo, text);
+    } else {
+        combo->setCurrentIndex(combo->findText(text, Qt::MatchFixedString));
+        combo->setEditText(text);
+    }
     combo->lineEdit()->selectAll();
 }
 

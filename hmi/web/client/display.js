@@ -23,6 +23,9 @@ class Display {
 
   resize(width, height, scale, color) { this.post({t: 'size', width, height, scale, color}); }
 
+  /// Frames of a new connection come; those of the old one are not acknowledged any more.
+  restart() { this.post({t: 'start'}); }
+
   /// The bytes are the painter's from now on.
   take(bytes) { this.post({t: 'frame', bytes}, [bytes]); }
 
@@ -35,7 +38,7 @@ class Display {
     this.shown = message.number;
     this.painted = message.painted;
     this.isWhole = message.isWhole;
-    this.onShown(message.number);
+    if (message.number) this.onShown(message.number);
   }
 
   /// See Easel.answer().

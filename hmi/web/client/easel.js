@@ -18,6 +18,9 @@ class Easel {
     case 'size':
       this.painter.resize(message.width, message.height, message.scale, message.color);
       return void this.painter.paint();
+    case 'start': // a new connection counts its frames from 1
+      this.number = 0;
+      return;
     case 'frame':
       this.number = this.painter.take(message.bytes);
       return this.schedule();

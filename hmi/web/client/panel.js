@@ -27,6 +27,7 @@ function connect() {
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => {
     waits = 250;
+    display.restart();
     send({t: 'hello', text: wanted.panel, more: wanted.language, n: scaleNow()});
     sendMotion();
     if (secret) send({t: 'login', text: secret, more: user});
