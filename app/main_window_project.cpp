@@ -33,6 +33,7 @@
 #include <QLayout>
 #include <QLocale>
 #include <QMessageBox>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -72,6 +73,12 @@ void keepSize(QMainWindow& window, QSize size) {
     if (window.isMaximized() || window.isFullScreen()) return;
     window.layout()->activate();
     window.resize(size);
+    // Some of the room is given back by events that are still to come, those of the docks' tabs: once more behind them.
+    constexpr int kSettled = 100; // ms
+    QTimer::singleShot(kSettled, &window, [&window, size] {
+        if (window.isMaximized() || window.isFullScreen()) return;
+        if (window.width() > size.width() || window.height() > size.height()) window.resize(size);
+    });
 }
 } // namespace
 

@@ -42,9 +42,9 @@ QString occurrenceText(const Message& message, const QString& language) {
     // What to do follows a semicolon, in every language; an argument may have one of its own.
     return QString::fromStdString(messages::render(message, [&](const messages::Form& form) {
         const QString all = QString::fromStdString(sentence(form, language));
-        static const QRegularExpression remedy(QStringLiteral("\\s*(?:; |；).*"),
-                                               QRegularExpression::DotMatchesEverythingOption);
-        return QString(all).remove(remedy).toStdString();
+        static const QRegularExpression remedy(QStringLiteral("; |；"));
+        const auto found = remedy.match(all); // in French a narrow blank is before it
+        return (found.hasMatch() ? all.left(found.capturedStart()).trimmed() : all).toStdString();
     }));
 }
 

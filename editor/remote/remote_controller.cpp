@@ -94,6 +94,9 @@ void RemoteController::open() {
         if (m_state == State::Attached) return lose(errors::ConnectionLost(text(host())));
         const bool isRefused = socket->closeCode() == QWebSocketProtocol::CloseCodePolicyViolated;
         if (isRefused) return lose(errors::NoAttaching(text(host()), text(why)));
+        const bool isSecure = m_address.url.scheme() == QLatin1String("https");
+        if (isSecure && m_open.empty()) // it was never greeted: a server without TLS waits for words it knows
+            return lose(errors::NoTlsThere(text(host()), text(why)));
         loseUnlessTls(errors::NotReached(text(host()), text(why)));
     });
     QUrl url = m_address.url;

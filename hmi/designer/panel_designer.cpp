@@ -298,10 +298,7 @@ QToolBar* PanelDesigner::makeToolBar() {
         bar->addSeparator();
     };
     put({"undo", "redo"});
-    put({"align-left", "align-center", "align-right", "align-top", "align-middle", "align-bottom"});
-    put({"distribute-x", "distribute-y", "same-size"});
-    put({"front", "back", "group", "ungroup", "lock", "duplicate-array", "arrange-array"});
-    put({"grid", "snap", "zoom-out", "zoom-in", "zoom-fit"});
+    // Fields before buttons: what has no room goes into a menu at the end, which has buttons only.
     auto* languages = new QComboBox;
     languages->setToolTip(tr("Language shown"));
     languages->setAccessibleName(languages->toolTip());
@@ -341,6 +338,10 @@ QToolBar* PanelDesigner::makeToolBar() {
     connect(&m_document, &PanelDocument::changed, themes, showTheme);
     bar->addWidget(themes);
     bar->addSeparator();
+    put({"align-left", "align-center", "align-right", "align-top", "align-middle", "align-bottom"});
+    put({"distribute-x", "distribute-y", "same-size"});
+    put({"front", "back", "group", "ungroup", "lock", "duplicate-array", "arrange-array"});
+    put({"grid", "snap", "zoom-out", "zoom-in", "zoom-fit"});
     bar->addAction(m_actions.value(QStringLiteral("live")));
     auto* spacer = new QWidget;
     spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);

@@ -79,7 +79,8 @@ TEST_F(GuideTest, TheFirstStopOfTheTourShowsAllOfItsTextAndTheWindowKeepsItsSize
     for (const QLabel* label : tour->findChildren<QLabel*>())
         EXPECT_GE(label->height(), label->hasHeightForWidth() ? label->heightForWidth(label->width()) : 0)
             << "cut: " << label->text().toStdString();
-    EXPECT_EQ(window->size(), QSize(1024, 700)) << window->width() << " x " << window->height();
+    EXPECT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }))
+        << window->width() << " x " << window->height();
 }
 
 TEST_F(GuideTest, TheTourIsAboutTheProjectAtHandAndStaysAboveItsDocks) {

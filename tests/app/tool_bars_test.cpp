@@ -12,7 +12,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include <set>
+#include <map>
 
 namespace plc::app {
 namespace {
@@ -47,10 +47,11 @@ protected:
         settle();
         for (const QToolBar* bar : shown.findChildren<QToolBar*>()) {
             if (!bar->isVisible()) continue;
-            if (const QString lost = lostIn(*bar); !lost.isEmpty()) m_lost.insert((where + ": " + lost).toStdString());
+            if (const QString lost = lostIn(*bar); !lost.isEmpty())
+                m_lost.emplace(lost.toStdString(), where.toStdString());
         }
     }
-    std::set<std::string> m_lost;
+    std::map<std::string, std::string> m_lost; // and where first
 };
 
 TEST_F(ToolBarsTest, NothingIsLostOnASmallScreen) {
@@ -70,7 +71,7 @@ TEST_F(ToolBarsTest, NothingIsLostOnASmallScreen) {
         window->control().disconnectSession();
     }
     std::string all;
-    for (const std::string& lost : m_lost) all += lost + "\n";
+    for (const auto& [lost, where] : m_lost) all += where + ": " + lost + "\n";
     EXPECT_EQ(all, "");
 }
 

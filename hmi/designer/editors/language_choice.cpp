@@ -44,9 +44,10 @@ QString languageTagOf(const QString& typed) {
     static const QRegularExpression inBrackets(QStringLiteral("\\(([^()]+)\\)$"));
     if (const auto match = inBrackets.match(text); match.hasMatch()) text = match.captured(1);
     const QString folded = text.toCaseFolded();
+    if (folded.isEmpty()) return {};
     for (auto it = knownLanguages().begin(); it != knownLanguages().end(); ++it)
         if (folded == it.value() || folded == nativeName(it.key()).toCaseFolded()) return it.key();
-    static const QRegularExpression tag(QStringLiteral("^([A-Za-z]{2,3})((-[A-Za-z0-9]{2,8})*)$"));
+    static const QRegularExpression tag(QStringLiteral("^([A-Za-z]{2,3})((-[A-Za-z0-9]{1,8})*)$"));
     const auto match = tag.match(text);
     if (!match.hasMatch() || !knownLanguages().contains(match.captured(1).toLower())) return {};
     return match.captured(1).toLower() + match.captured(2);
@@ -70,17 +71,14 @@ QString askForLanguage(const QStringList& taken, QWidget* parent) {
     const QString title = QCoreApplication::translate("plc::hmi::TextEditor", "Add a language");
     const QString label = QCoreApplication::translate("plc::hmi::TextEditor", "Language tag, for example de or zh-CN");
     const QStringList all = languagesToChoose();
-    QString typed = QStringLiteral("Deutsch (de)");
-    for (;;) {
-        const QStringList offered = all.contains(typed) ? all : QStringList{typed} + all; // to be corrected
-        bool isAccepted = false;
-        typed = QInputDialog::getItem(parent, title, label, offered, static_cast<int>(offered.indexOf(typed)), true,
-                                      &isAccepted);
-        if (!isAccepted || typed.trimmed().isEmpty()) return {};
-        const QString tag = languageTagOf(typed);
-        if (!tag.isEmpty() && !taken.contains(tag)) return tag;
-        QMessageBox::warning(parent, title, whyNot(typed, tag));
-    }
+    bool isAccepted = false;
+    const QString typed = QInputDialog::getItem(
+        parent, title, label, all, static_cast<int>(all.indexOf(QStringLiteral("Deutsch (de)"))), true, &isAccepted);
+    if (!isAccepted || typed.trimmed().isEmpty()) return {};
+    const QString tag = languageTagOf(typed);
+    if (!tag.isEmpty() && !taken.contains(tag)) return tag;
+    QMessageBox::warning(parent, title, whyNot(typed, tag));
+    return {};
 }
 
 } // namespace plc::hmi

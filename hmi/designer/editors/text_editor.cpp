@@ -14,6 +14,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QFileDialog>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QKeyEvent>
@@ -218,12 +219,13 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
         if (const auto report = importXliff(path)) showReport(*report);
     });
     exports->addAction(tr("Export XLIFF"), this, &TextEditor::askForXliff);
-    bar->addSeparator();
-    bar->addWidget(m_search);
-    bar->addWidget(m_incomplete);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(bar);
+    auto* search = new QHBoxLayout; // of its own: in the bar it has no room on a small screen
+    search->addWidget(m_search);
+    search->addWidget(m_incomplete);
+    layout->addLayout(search);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_users);
     setFocusProxy(m_view); // not the search: Ctrl+Z is meant for the table
