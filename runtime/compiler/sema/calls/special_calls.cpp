@@ -27,6 +27,7 @@ static Operand boundCall(Context& context, const syntax::Expr& e, bool isUpper);
 static Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result);
 static Operand addressCall(Context& context, const syntax::Expr& e, bool isReference);
 static Operand queryCall(Context& context, const syntax::Expr& e);
+static tree::Place* placeToAddress(Context& context, const Denoted& denoted, SourceRange range);
 
 ///   ok:    p := REF(w);      wrong: p := REF(w.3);  (P2037)
 Operand addressOf(Context& context, tree::Place* place, TypeId pointer, SourceRange range) {
@@ -162,6 +163,18 @@ Operand addressOfLiteral(Context& context, const syntax::Expr& argument, SourceR
     return {sequence, &context.types};
 }
 
+/// What ADR may point to; null: nothing that is stored. Constants of programs and global ones are in the image beside
+/// their value in the code, one of another unit is if the unit takes its address (layout/units.cpp). REF gives no way
+/// to them: it is there to write through.
+tree::Place* placeToAddress(Context& context, const Denoted& denoted, SourceRange range) {
+    if (denoted.kind == Denoted::Kind::Place) return denoted.place;
+    const Variable* constant = denoted.kind == Denoted::Kind::Value ? denoted.variable : nullptr;
+    if (!constant) return nullptr;
+    const bool isStored =
+        !constant->owner || constant->owner->kind == UnitKind::Program || constant->storage == Storage::Absolute;
+    return isStored ? absolutePlace(context, constant->offset, constant->type, constant->bit, range) : nullptr;
+}
+
 // REF is the standard's (edition 3, 6.4.4.10), ADR CODESYS's; both give a pointer to the variable.
 Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
     const library::Signature* signature = library::findSignature(isReference ? "REF" : "ADR");
@@ -177,15 +190,12 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
         return withEnable(context, addressOfLiteral(context, argument, e.range), arguments, e.range);
     const Denoted denoted = denote(context, argument, Access::Address);
     if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
+    tree::Place* const place = isReference ? denoted.place : placeToAddress(context, denoted, argument.range);
     // A value of an enumeration, a constant of another block: nothing of it is stored.
-    if (!isReference && isInBody && denoted.kind == Denoted::Kind::Value && denoted.value.isConstant())
+    if (!isReference && !place && isInBody && denoted.kind == Denoted::Kind::Value && denoted.value.isConstant())
         return withEnable(context, addressOfLiteral(context, argument, e.range), arguments, e.range);
-    if (denoted.kind != Denoted::Kind::Place) {
-        context.emit(argument.range, findings::TemporaryReference());
-        return unknown(context, e.range);
-    }
     // ARRAY[*] is an address with bounds: its address alone would lose them.
-    if (context.isKind(denoted.place->type, TypeKind::OpenArray)) {
+    if (!place || context.isKind(place->type, TypeKind::OpenArray)) {
         context.emit(argument.range, findings::TemporaryReference());
         return unknown(context, e.range);
     }
@@ -194,8 +204,8 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
         context.emit(e.range, findings::NotConstant());
         return unknown(context, e.range);
     }
-    return withEnable(context, addressOf(context, denoted.place, context.types.pointer(denoted.place->type), e.range),
-                      arguments, e.range);
+    return withEnable(context, addressOf(context, place, context.types.pointer(place->type), e.range), arguments,
+                      e.range);
 }
 
 // ** and EXPT. The result's type follows table 24 as far as it says something: a real base keeps its type; two whole

@@ -325,12 +325,6 @@ static tree::Place* storedPlace(Context& context, Variable& variable, TypeId typ
     return nullptr;
 }
 
-/// Constants of programs and global ones are in the image beside their value in the code, for watches and ADR; one of
-/// another unit is if the unit takes its address (layout/units.cpp).
-static bool isStored(const Variable& variable) {
-    return !variable.owner || variable.owner->kind == UnitKind::Program || variable.storage != Storage::None;
-}
-
 /// Constants everywhere; from outside also what a block keeps to itself or gives out.
 static void noteReadOnly(Context& context, Denoted& out, const Variable& variable, TypeId type, bool isOutside) {
     if (variable.isConstant || (variable.section && variable.section->constant && !isOutside)) {
@@ -371,9 +365,11 @@ Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, 
     // Flow is followed by names: writing any part of the result counts as setting it.
     if (declared.isResult && access != Access::Read && access != Access::Call) context.flow.isResultSet = true;
     const bool isRead = access == Access::Read || access == Access::Call;
-    const bool isAddressed = access == Access::Address && isStored(variable);
-    if (variable.isConstant && isFoldable(context.types, type) && !isAddressed)
-        return ofConstant(context, variable, range, isRead);
+    if (variable.isConstant && isFoldable(context.types, type)) {
+        Denoted out = ofConstant(context, variable, range, isRead);
+        if (access == Access::Address) out.variable = &variable; // ADR finds where it is stored
+        return out;
+    }
     if (context.isKind(type, TypeKind::Unknown)) return {};
     tree::Place* place = storedPlace(context, variable, type, instance, range, isRead);
     if (!place) return {};
