@@ -5,6 +5,7 @@
 #include "tests/examples/text_of.h"
 
 #include "app/cli/command_line.h"
+#include "app/cli/panels/commands.h"
 #include "app/cli/run/timed_write.h"
 #include "hmi/player/panel_commands.h"
 #include "projects/storage/project_file.h"
