@@ -3318,7 +3318,7 @@
         <translation>Navnene på de ind- og udgange, som enhedernes konfiguration erklærer ({0} osv.), er i PLC_Configuration</translation>
     </message>
     <message>
-        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
         <translation>Filen er ikke gyldig UTF-8 og angiver ingen anden tegnkodning; den blev læst som {0}. Hvis bogstaver er forkerte, så importér den igen med en anden tegnkodning</translation>
     </message>
     <message>
@@ -6586,11 +6586,11 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>kreds nu</translation>
+        <translation>sløjfe nu</translation>
     </message>
     <message>
         <source>loop, {0}</source>
-        <translation>kreds, {0}</translation>
+        <translation>sløjfe, {0}</translation>
     </message>
     <message>
         <source>process</source>
@@ -6638,7 +6638,7 @@
     </message>
     <message>
         <source>Loop health</source>
-        <translation>Reguleringskredsens tilstand</translation>
+        <translation>Reguleringssløjfens tilstand</translation>
     </message>
     <message>
         <source>It explains {0} % of the steps it was not fitted to.</source>
@@ -7264,7 +7264,7 @@ Ikke bevaret: %3</translation>
         <translation>Genkendt</translation>
     </message>
     <message>
-        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <source>For files that are not in Unicode and do not specify their encoding</source>
         <translation>Til filer, der ikke er i Unicode og ikke angiver deres tegnkodning</translation>
     </message>
 </context>
@@ -10835,7 +10835,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
-        <translation>Gemmer en rapport om reguleringskredsen med model og indstillinger som HTML eller PDF.</translation>
+        <translation>Gemmer en rapport om reguleringssløjfen med model og indstillinger som HTML eller PDF.</translation>
     </message>
     <message>
         <source>Health</source>
@@ -10991,7 +10991,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::WhyView</name>
     <message>
         <source>For example Main.level &gt; 80</source>
-        <translation>For eksempel Main.level &gt; 80</translation>
+        <translation>F.eks. Main.level &gt; 80</translation>
     </message>
     <message>
         <source>Variable or expression to explain</source>

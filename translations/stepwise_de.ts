@@ -2776,7 +2776,7 @@
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>Betriebsstundenzähler mit Rücksetzen und Freigabe</translation>
+        <translation>Betriebsstundenzähler mit Freigabe</translation>
     </message>
     <message>
         <source>Hourly production</source>
@@ -3318,12 +3318,12 @@
         <translation>Die Namen der Ein- und Ausgänge, die die Konfiguration der Geräte deklariert ({0} und weitere), stehen in PLC_Configuration</translation>
     </message>
     <message>
-        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
         <translation>Die Datei ist kein gültiges UTF-8 und gibt keine andere Codierung an; sie wurde als {0} gelesen. Sind Buchstaben falsch, importieren Sie sie mit einer anderen Codierung erneut</translation>
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>Der Makroschritt {0} wurde durch seine Schritte ersetzt; Schritten mit bereits vergebenem Namen ist {0} vorangestellt</translation>
+        <translation>Der Makroschritt {0} wurde durch seine Schritte ersetzt; Schritten mit bereits verwendetem Namen ist {0} vorangestellt</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
@@ -6462,7 +6462,7 @@
     </message>
     <message>
         <source>movements of the output in an hour</source>
-        <translation>Stellbewegungen pro Stunde</translation>
+        <translation>Bewegungen des Ausgangs pro Stunde</translation>
     </message>
     <message>
         <source>noise of the measured value</source>
@@ -6530,7 +6530,7 @@
     </message>
     <message>
         <source>error after a load step</source>
-        <translation>Regeldifferenz nach Laststörung</translation>
+        <translation>Regeldifferenz nach Lastsprung</translation>
     </message>
     <message>
         <source>unstable</source>
@@ -7264,7 +7264,7 @@ Nicht erhalten: %3</translation>
         <translation>Erkannt</translation>
     </message>
     <message>
-        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <source>For files that are not in Unicode and do not specify their encoding</source>
         <translation>Für Dateien, die nicht in Unicode sind und ihre Codierung nicht angeben</translation>
     </message>
 </context>

@@ -3318,12 +3318,12 @@
         <translation>Los nombres de las entradas y salidas que declara la configuración de los dispositivos ({0}, etc.) están en PLC_Configuration</translation>
     </message>
     <message>
-        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
         <translation>El archivo no es UTF-8 válido y no declara otra codificación; se leyó como {0}. Si hay letras incorrectas, impórtelo de nuevo con otra codificación</translation>
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>El macropaso {0} se sustituyó por los pasos que contiene; los pasos cuyo nombre ya existía llevan {0} delante</translation>
+        <translation>El macropaso {0} se sustituyó por los pasos que contiene; los pasos cuyo nombre ya se usaba llevan {0} delante</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
@@ -7264,7 +7264,7 @@ No conservados: %3</translation>
         <translation>Reconocida</translation>
     </message>
     <message>
-        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <source>For files that are not in Unicode and do not specify their encoding</source>
         <translation>Para archivos que no están en Unicode y no declaran su codificación</translation>
     </message>
 </context>

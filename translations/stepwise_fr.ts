@@ -3318,12 +3318,12 @@
         <translation>Les noms des entrées et sorties que déclare la configuration des appareils ({0}, etc.) sont dans PLC_Configuration</translation>
     </message>
     <message>
-        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
         <translation>Le fichier n’est pas en UTF-8 valide et ne déclare aucun autre encodage&#x202f;; il a été lu en {0}. Si des lettres sont fausses, importez-le de nouveau avec un autre encodage</translation>
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>La macro-étape {0} a été remplacée par les étapes qu’elle contient&#x202f;; les étapes dont le nom était déjà pris sont préfixées de {0}</translation>
+        <translation>La macro-étape {0} a été remplacée par les étapes qu’elle contient&#x202f;; les étapes dont le nom était déjà utilisé sont préfixées de {0}</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
@@ -6434,7 +6434,7 @@
     </message>
     <message>
         <source>Settings</source>
-        <translation>Réglages</translation>
+        <translation>Paramètres</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -6526,7 +6526,7 @@
     </message>
     <message>
         <source>settling time [s]</source>
-        <translation>temps d’établissement [s]</translation>
+        <translation>temps de stabilisation [s]</translation>
     </message>
     <message>
         <source>error after a load step</source>
@@ -6626,11 +6626,11 @@
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
-        <translation>Le gain est de {0} à la montée et de {1} à la descente&#x202f;; les réglages sont calculés pour {2}.</translation>
+        <translation>Le gain est de {0} à la montée et de {1} à la descente&#x202f;; les paramètres sont calculés pour {2}.</translation>
     </message>
     <message>
         <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
-        <translation>Le gain dépend du point de fonctionnement&#xa0;: il est de {0} lorsque la valeur mesurée est voisine de {1}, et de {2} vers {3}&#x202f;; les réglages sont calculés pour {4}. Pour une seule plage, ne choisissez que ses échelons.</translation>
+        <translation>Le gain dépend du point de fonctionnement&#xa0;: il est de {0} lorsque la valeur mesurée est voisine de {1}, et de {2} vers {3}&#x202f;; les paramètres sont calculés pour {4}. Pour une seule plage, ne choisissez que ses échelons.</translation>
     </message>
     <message>
         <source>usable; the output was set to its limit</source>
@@ -6752,7 +6752,7 @@
     </message>
     <message>
         <source>only for certificates that this computer does not know</source>
-        <translation>seulement pour les certificats que cet ordinateur ne connaît pas</translation>
+        <translation>certificats inconnus de cet ordinateur</translation>
     </message>
     <message>
         <source>…</source>
@@ -7264,7 +7264,7 @@ Non conservés&#xa0;: %3</translation>
         <translation>Détecté</translation>
     </message>
     <message>
-        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <source>For files that are not in Unicode and do not specify their encoding</source>
         <translation>Pour les fichiers qui ne sont pas en Unicode et ne déclarent pas leur encodage</translation>
     </message>
 </context>
@@ -8313,7 +8313,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 arranges the window for drawing panels</source>
-        <translation>%1 dispose la fenêtre pour dessiner des panneaux</translation>
+        <translation>%1 dispose la fenêtre pour dessiner des vues</translation>
     </message>
 </context>
 <context>
@@ -10835,7 +10835,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
-        <translation>Enregistre un rapport sur la boucle avec modèle et réglages en HTML ou PDF.</translation>
+        <translation>Enregistre un rapport sur la boucle avec modèle et paramètres en HTML ou PDF.</translation>
     </message>
     <message>
         <source>Health</source>

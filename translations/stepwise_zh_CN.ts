@@ -3318,12 +3318,12 @@
         <translation>设备配置所声明的输入和输出的名称（{0} 等）在 PLC_Configuration 中</translation>
     </message>
     <message>
-        <source>The file is not valid UTF-8 and declares no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
+        <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
         <translation>该文件不是有效的 UTF-8，也没有声明其他编码；已按 {0} 读取。如果字符有误，请选择其他编码重新导入</translation>
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>宏步 {0} 已替换为其中的各步；名称已被占用的步前面加上了 {0}</translation>
+        <translation>宏步 {0} 已替换为其中的各步；名称已被使用的步前面加上了 {0}</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
@@ -7258,7 +7258,7 @@ Not kept: %3</source>
         <translation>自动识别</translation>
     </message>
     <message>
-        <source>For files that are not in Unicode and do not declare their encoding</source>
+        <source>For files that are not in Unicode and do not specify their encoding</source>
         <translation>用于非 Unicode 且未声明编码的文件</translation>
     </message>
 </context>
@@ -8305,7 +8305,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>%1 arranges the window for drawing panels</source>
-        <translation>%1 将窗口布置为绘制面板</translation>
+        <translation>%1 将窗口布置为绘制画面</translation>
     </message>
 </context>
 <context>

@@ -192,7 +192,7 @@ void ImportDialog::addEncodings() {
     m_encoding = new QComboBox(this);
     m_encoding->setObjectName("encoding");
     m_encoding->setAccessibleName(tr("Encoding:"));
-    m_encoding->setToolTip(tr("For files that are not in Unicode and do not declare their encoding"));
+    m_encoding->setToolTip(tr("For files that are not in Unicode and do not specify their encoding"));
     m_encoding->addItem(tr("Recognised"));
     for (const std::string& name : projects::codePageNames())
         m_encoding->addItem(QString::fromStdString(name), QString::fromStdString(name));

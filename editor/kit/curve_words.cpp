@@ -20,7 +20,7 @@ const QHash<QString, QString>& colorWords() {
 }
 
 /// "bLampRed_2" is b, Lamp, Red.
-QStringList wordsOf(const QString& name) {
+QStringList partsOf(const QString& name) {
     static const QRegularExpression word(QStringLiteral("\\p{Lu}+(?!\\p{Ll})|\\p{Lu}?\\p{Ll}+"));
     QStringList out;
     for (auto it = word.globalMatch(name); it.hasNext();) out += it.next().captured().toLower();
@@ -56,7 +56,7 @@ QString withUnit(const QString& name, const QString& unit) {
 
 QString colorNamed(const QString& name) {
     QString found;
-    for (const QString& word : wordsOf(name.section(u'.', -1))) {
+    for (const QString& word : partsOf(name.section(u'.', -1))) {
         const QString color = colorWords().value(word);
         if (color.isEmpty() || color == found) continue;
         if (!found.isEmpty()) return {};

@@ -185,6 +185,7 @@ QWidget* TuningView::makeSettings() {
     scrolled->setWidget(page);
     scrolled->setWidgetResizable(true);
     scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setFocusPolicy(Qt::NoFocus); // its fields have the keyboard and scroll it
     scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolled->setMinimumWidth(page->minimumSizeHint().width());
     return scrolled;

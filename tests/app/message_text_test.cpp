@@ -126,7 +126,7 @@ TEST(MessageText, EveryFaultIsTranslated) {
                 const QString shown = kit::messageText(fault, language), briefly = kit::occurrenceText(fault, language);
                 EXPECT_TRUE(shown.startsWith(briefly)) << briefly.toStdString();
                 EXPECT_LT(briefly.size() + 5, shown.size()) << shown.toStdString();
-                EXPECT_GT(briefly.size(), 3) << shown.toStdString();
+                EXPECT_GE(briefly.size(), 3) << shown.toStdString();
                 EXPECT_FALSE(briefly.contains(u';') || briefly.contains(u'；')) << briefly.toStdString();
                 EXPECT_EQ(briefly, briefly.trimmed());
             }

@@ -295,7 +295,7 @@ TEST_F(SteppingTest, TheFaultIsALinkAndItsCallPathHasValues) {
     editor().applyEdits({{{FileId(), 0, 0}, "// edited since\n"}});
     QToolButton* link = nullptr;
     for (QToolButton* each : window->findChildren<QToolButton*>())
-        if (each->toolTip() == "Go to the line") link = each;
+        if (each->toolTip().endsWith("\nGo to the line")) link = each;
     ASSERT_NE(link, nullptr);
     ASSERT_TRUE(waitFor([&] { return link->isVisible(); }));
     QTest::mouseClick(link, Qt::LeftButton);

@@ -256,16 +256,16 @@ TEST_F(TuningDock, PicturesForALook) {
     kit::Theme::current().setChoice(kit::ThemeChoice::Light);
 }
 
-/// The set point rests: nothing to make a model from.
-class TuningDockAtRest : public TuningDock {
+/// The output is at its limit whatever the set point does: nothing to make a model from.
+class TuningDockAtLimit : public TuningDock {
     QByteArray program() const override {
         QByteArray text = kLoop;
-        text.replace("scan / 1500) MOD 2) * 10.0", "scan / 4) MOD 2) * 10.0");
+        text.replace("rLowLim := -1000.0, rHighLim := 1000.0", "rLowLim := 0.0, rHighLim := 0.001");
         return text;
     }
 };
 
-TEST_F(TuningDockAtRest, WithoutAModelTheChangesAndTheHealthAreShown) {
+TEST_F(TuningDockAtLimit, WithoutAModelTheChangesAndTheHealthAreShown) {
     click("tuningFind");
     auto* steps = part<QTreeWidget>("tuningSteps");
     ASSERT_TRUE(waitFor([&] { return steps->topLevelItemCount() > 0; }, 30'000));

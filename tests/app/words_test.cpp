@@ -97,14 +97,15 @@ QStringList textsOf(const QWidget& widget) {
 /// Names of the project, words of the languages, units and keys: the same in every language.
 bool isData(const QString& word) {
     static const std::set<QString> words{
-        "Stepwise", "English", "Deutsch", "Dansk",  "Main",     "Motor",  "Steps", "Rungs",   "counter", "limit",
-        "done",     "pulse",   "motor",   "run",    "turns",    "drive",  "Ready", "Work",    "Turn",    "first",
-        "Test",     "main",    "steps",   "rungs",  "project",  "src",    "tests", "hmi",     "all",     "Fault",
-        "Hot",      "State",   "fault",   "hot",    "standard", "st",     "rec",   "json",    "csv",     "png",
-        "jpg",      "svg",     "pdf",     "trace",  "panel",    "xml",    "px",    "ms",      "ns",      "MB",
-        "kB",       "bit",     "Ctrl",    "Shift",  "Alt",      "analog", "plant", "toolbox", "util",    "workshop",
-        "library",  "Aa",      "en",      "go",     "on",       "off",    "Off",   "begin",   "running", "text",
-        "pou",      "Button",  "Valve",   "Option", "Text",     "qps",    "ploc",  "red",     "yellow",  "green"};
+        "Windows", "Stepwise", "English", "Deutsch", "Dansk",   "Main",  "Motor",    "Steps",   "Rungs",
+        "counter", "limit",    "done",    "pulse",   "motor",   "run",   "turns",    "drive",   "Ready",
+        "Work",    "Turn",     "first",   "Test",    "main",    "steps", "rungs",    "project", "src",
+        "tests",   "hmi",      "all",     "Fault",   "Hot",     "State", "fault",    "hot",     "standard",
+        "st",      "rec",      "json",    "csv",     "png",     "jpg",   "svg",      "pdf",     "trace",
+        "panel",   "xml",      "px",      "ms",      "ns",      "MB",    "kB",       "bit",     "Ctrl",
+        "Shift",   "Alt",      "analog",  "plant",   "toolbox", "util",  "workshop", "library", "Aa",
+        "en",      "go",       "on",      "off",     "Off",     "begin", "running",  "text",    "pou",
+        "Button",  "Valve",    "Option",  "Text",    "qps",     "ploc",  "red",      "yellow",  "green"};
     if (words.contains(word)) return true;
     static const QRegularExpression capitals(QStringLiteral("^[A-Z]+[0-9]*$")); // TON, BOOL, RUN
     return capitals.match(word).hasMatch();

@@ -218,10 +218,13 @@ private:
         return known;
     }
 
-    /// Between the simulation and the tasks of the PLC.
-    void applyForces(const Look& look, uint32_t activation, std::vector<std::byte>& image) const {
+    [[nodiscard]] bool isOfSimulation(const Look& look, uint32_t activation) const {
         const uint32_t task = look.activations()[activation].task;
-        if (task < m_program->tasks.size() && m_program->tasks[task].isSimulation) return;
+        return task < m_program->tasks.size() && m_program->tasks[task].isSimulation;
+    }
+
+    /// Between the simulation and the tasks of the PLC, once: each program reads what the one before it wrote.
+    static void applyForces(const Look& look, std::vector<std::byte>& image) {
         for (const image::ForcedBytes& force : look.input().start.forces) {
             if (force.bit < 0) {
                 std::copy(force.bytes.begin(), force.bytes.end(), image.begin() + force.offset);
@@ -250,11 +253,14 @@ private:
         KnownAt known;
         std::vector<std::byte> image = look.input().image;
         std::memcpy(image.data(), look.image().data(), kClockEnd); // set when the scan began
+        bool isForced = false;
         std::set<uint32_t> doubtful; // bytes of a long write that a later one has overwritten: not known in between
         for (size_t i = 0; i < look.events().size(); ++i) {
             const Event& event = look.events()[i];
-            if (event.kind == image::WatchKind::Begin && look.activations()[event.activation].parent == inside::kNone)
-                applyForces(look, event.activation, image);
+            if (event.kind == image::WatchKind::Begin && !isForced && !isOfSimulation(look, event.activation)) {
+                applyForces(look, image);
+                isForced = true;
+            }
             if (event.kind == image::WatchKind::Write && event.offset + event.size <= image.size()) {
                 doubtful.erase(doubtful.lower_bound(event.offset), doubtful.lower_bound(event.offset + event.size));
                 if (event.size > 8) {

@@ -222,7 +222,7 @@ void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMa
 
 void drawDots(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
               const QColor& color) {
-    // Dots say "here is a sample"; closer together they would only make the line thicker.
+    // A dot marks a sample; closer together they would only make the line thicker.
     if (shape.samples.size() < 1 || mapping.area.width() / static_cast<double>(shape.samples.size()) < 14) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);

@@ -268,7 +268,7 @@ TEST(Attach, TheCodeNeverCrossesANetworkUnprotected) {
     RemoteController controller;
     const auto refused = controller.attach({QUrl("http://192.168.1.9:8080/"), kAttachCode, {}, "test"});
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().english().find("unprotected"), std::string::npos);
+    EXPECT_NE(refused.error().english().find("unencrypted"), std::string::npos);
     for (const char* wrong : {"", "ftp://plant/", "http://", "plant"})
         EXPECT_FALSE(controller.attach({QUrl(wrong), kAttachCode, {}, "test"})) << wrong;
 }

@@ -342,13 +342,14 @@ TEST_F(OtherFormats, ACodePageIsGuessedWithALineOrChosen) {
 
 TEST_F(OtherFormats, XmlIsReadInTheCodePageThatItDeclares) {
     std::string document =
-        ExchangeTest::document(pou("Main", "program", "", st("; // \u043D\u0430\u0441\u043E\u0441")));
+        ExchangeTest::document(pou("Main", "program", "", ExchangeTest::st("; // \u043D\u0430\u0441\u043E\u0441")));
     document.replace(document.find("utf-8"), 5, "koi8-r");
     ImportOptions options;
     options.codePage = projects::Encoding::Windows1250; // the file knows better
     const auto imported = importProjects(write("k.xml", bytesOf(document, projects::Encoding::Koi8R)), options);
     ASSERT_TRUE(imported) << imported.error().english();
-    EXPECT_NE(fileOf(imported->front(), "src/Main.st").find("\u043D\u0430\u0441\u043E\u0441"), std::string::npos);
+    const std::string text = fileOf(imported->front(), "src/Main.st");
+    EXPECT_NE(text.find("\u043D\u0430\u0441\u043E\u0441"), std::string::npos) << text;
     EXPECT_EQ(noteOf(imported->front(), NoteKind::EncodingRead), "The file is written in KOI8-R");
 }
 

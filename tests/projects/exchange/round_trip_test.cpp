@@ -179,9 +179,9 @@ TEST_F(RoundTrip, WhatTheFormatHasNoPlaceForHasItsLine) {
         return report.toText().find(text) != std::string::npos;
     };
     for (const char* text : {"F.M", "EXTENDS or IMPLEMENTS of F", "interfaces; I ", "unions; U ", "a NAMESPACE",
-                             "minTime", "// inside", "transition t1", "// the end", "for tests", "libraries; util"})
+                             "minTime", "// inside", "transition t1", "// the end", "support tests", "libraries; util"})
         EXPECT_TRUE(has(plain, text)) << text << "\n" << plain.toText();
-    for (const char* text : {"a NAMESPACE", "// inside", "transition t1", "// the end", "for tests"})
+    for (const char* text : {"a NAMESPACE", "// inside", "transition t1", "// the end", "support tests"})
         EXPECT_TRUE(has(codesys, text)) << text << "\n" << codesys.toText();
     EXPECT_FALSE(has(codesys, "F.M")) << codesys.toText();
 }

@@ -190,6 +190,10 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
         return withEnable(context, addressOfLiteral(context, argument, e.range), arguments, e.range);
     const Denoted denoted = denote(context, argument, Access::Address);
     if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
+    if (isReference && denoted.kind == Denoted::Kind::Value && denoted.variable && denoted.variable->isConstant) {
+        context.emit(argument.range, findings::NotAssignable(phrases::ConstantVariable(denoted.variable->name)));
+        return unknown(context, e.range);
+    }
     tree::Place* const place = isReference ? denoted.place : placeToAddress(context, denoted, argument.range);
     // A value of an enumeration, a constant of another block: nothing of it is stored.
     if (!isReference && !place && isInBody && denoted.kind == Denoted::Kind::Value && denoted.value.isConstant())

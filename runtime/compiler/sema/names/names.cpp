@@ -366,7 +366,7 @@ Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, 
     if (declared.isResult && access != Access::Read && access != Access::Call) context.flow.isResultSet = true;
     const bool isRead = access == Access::Read || access == Access::Call;
     if (variable.isConstant && isFoldable(context.types, type)) {
-        Denoted out = ofConstant(context, variable, range, isRead);
+        Denoted out = ofConstant(context, variable, range, isRead || access == Access::Address);
         if (access == Access::Address) out.variable = &variable; // ADR finds where it is stored
         return out;
     }
