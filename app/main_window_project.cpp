@@ -77,7 +77,7 @@ void keepSize(QMainWindow& window, QSize size) {
     constexpr int kSettled = 100; // ms
     QTimer::singleShot(kSettled, &window, [&window, size] {
         if (window.isMaximized() || window.isFullScreen()) return;
-        if (window.width() > size.width() || window.height() > size.height()) window.resize(size);
+        window.resize(window.size().boundedTo(size));
     });
 }
 } // namespace
@@ -241,9 +241,9 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
             say(kit::messageText(copied.error()), true);
             return false;
         }
+    const QSize before = size(); // opening may leave the window larger until its docks have settled
     if (!openProject(copy)) return false;
     if (isNew) {
-        const QSize before = size();
         arrangeForExample();
         keepSize(*this, before);
     }
