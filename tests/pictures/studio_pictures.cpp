@@ -159,7 +159,9 @@ void takeLoop(app::MainWindow& window, const QString& project) {
 
     hideDocks(window);
     window.openDesigner("loop");
+    window.action("view.panelDesign")->trigger();
     save(window, "panel_designer_studio");
+    window.action("view.editing")->trigger();
 }
 
 /// A chart that runs: the active step is marked.
