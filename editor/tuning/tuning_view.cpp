@@ -9,11 +9,13 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QSplitter>
 #include <QTabWidget>
@@ -26,6 +28,19 @@
 namespace plc::editor {
 
 namespace {
+
+/// Scrolls up and down only: as wide as what is in it, which grows when lists are filled.
+class UprightScroll : public QScrollArea {
+public:
+    void fitWidth() { setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const bool isTaken = QScrollArea::eventFilter(watched, event);
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) fitWidth();
+        return isTaken;
+    }
+};
 
 QString translated(std::string_view word) { return QCoreApplication::translate("Tuning", std::string(word).c_str()); }
 
@@ -181,13 +196,13 @@ QWidget* TuningView::makeSettings() {
     // a low dock shows some rows of each list and scrolls to the rest
     m_steps->setMinimumHeight(110);
     m_figures->setMinimumHeight(170);
-    auto* scrolled = new QScrollArea;
+    auto* scrolled = new UprightScroll;
     scrolled->setWidget(page);
     scrolled->setWidgetResizable(true);
     scrolled->setFrameShape(QFrame::NoFrame);
     scrolled->setFocusPolicy(Qt::NoFocus); // its fields have the keyboard and scroll it
     scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scrolled->setMinimumWidth(page->minimumSizeHint().width());
+    scrolled->fitWidth();
     return scrolled;
 }
 
