@@ -14,7 +14,7 @@
 namespace plc::app {
 
 namespace {
-enum Column { Path, Was, Instead, Columns };
+enum WhatIfColumn { Path, Was, Instead, Columns };
 } // namespace
 
 WhatIfDialog::WhatIfDialog(const editor::RunControl& control, const QStringList& variables,
@@ -75,7 +75,7 @@ void WhatIfDialog::addVariable(const QString& path) {
     m_problem->clear();
     const int row = m_table->rowCount();
     m_table->insertRow(row);
-    const auto cell = [&](Column column, const QString& text, bool isEditable) {
+    const auto cell = [&](WhatIfColumn column, const QString& text, bool isEditable) {
         auto* item = new QTableWidgetItem(text);
         if (!isEditable) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
         m_table->setItem(row, column, item);

@@ -31,7 +31,7 @@ std::string typesOf(const std::string& parameters) {
 
 /// What a line at the margin of an unnamed namespace declares.
 std::optional<std::string> declaredBy(const std::string& line) {
-    static const std::regex type(R"(^(?:struct|class|enum class|enum) (\w+)\b.*\{$)");
+    static const std::regex type(R"(^(?:struct|class|enum class|enum) (\w+)\b.*\{.*$)");
     static const std::regex constant(
         R"(^(?:static )?(?:constexpr |const )[\w:<>,* ]*[ *](\w+)(?:\[\w*\])?(?: =|\{).*)");
     static const std::regex function(R"(^[A-Za-z][\w:<>,&* ]*[ &*](\w+)\(([^()]*)\)?.*)");
