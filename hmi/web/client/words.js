@@ -63,6 +63,7 @@ class Word {
     ink.enter(s);
     ink.fillWith(paint);
     ink.transform = null;
+    ink.isPlain = false; // each letter has a place of its own: pictures after it must ask for pixels again
     for (const [glyph, atX, atY] of this.placed(size, x, y)) {
       ink.context.setTransform(size, 0, 0, size, atX - ink.left, atY - ink.top);
       ink.context.fill(glyph.shape, 'nonzero');

@@ -92,7 +92,7 @@ void expectSamePictures(Chromium& chromium, const std::string& example) {
 
 TEST_F(Browser, ShowsWhatQtPaints) {
     const QDir folder(QString::fromStdString(sourceDir() + "/projects/examples"));
-    QStringList names{"alarm_texts", "gravel", "motor"};
+    QStringList names{"alarm_texts", "depalletiser", "gravel", "motor"};
     if (qEnvironmentVariableIsSet("STEPWISE_LONG")) {
         names.clear();
         for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
