@@ -7,11 +7,6 @@ namespace {
 
 class Codesys2 : public ExchangeTest {
 protected:
-    Imported folder(const std::string& name) const {
-        auto imported = importFrom(path(name));
-        EXPECT_TRUE(imported) << imported.error().english();
-        return imported ? std::move(*imported) : Imported();
-    }
     static std::string unit(const std::string& head, const std::string& variables, const std::string& body,
                             const std::string& end) {
         return "\n(* @NESTEDCOMMENTS := 'Yes' *)\n(* @PATH := '' *)\n(* @OBJECTFLAGS := '0, 8' *)\n" + head +

@@ -42,6 +42,12 @@ protected:
         EXPECT_TRUE(imported) << imported.error().english();
         return imported ? std::move(*imported) : Imported();
     }
+    /// What is made of a folder of the test's.
+    Imported folder(const std::string& name) const {
+        auto imported = importFrom(path(name));
+        EXPECT_TRUE(imported) << imported.error().english();
+        return imported ? std::move(*imported) : Imported();
+    }
     static std::string fileOf(const Imported& imported, const std::string& path) {
         for (const ImportedFile& file : imported.files)
             if (file.path == path) return file.text;

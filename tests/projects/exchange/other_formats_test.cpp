@@ -1,5 +1,4 @@
-// Files of TwinCAT, the native export of CODESYS V3, text of CODESYS 2.3 and loose ST in; text files in every encoding
-// and back as they were.
+// Files of TwinCAT, the native export of CODESYS V3, text of CODESYS 2.3 and loose ST in.
 #include "fixture.h"
 
 #include "projects/exchange/plcopen/plcopen_export.h"
@@ -24,10 +23,19 @@ protected:
     static std::string st(const std::string& text) {
         return "<Implementation>" + cdata("ST", text) + "</Implementation>";
     }
-    Imported folder(const std::string& name) const {
-        auto imported = importFrom(path(name));
-        EXPECT_TRUE(imported) << imported.error().english();
-        return imported ? std::move(*imported) : Imported();
+    /// The program after its first scan; null if it does not build or the scan faults.
+    static std::unique_ptr<controller::Controller> scanned(const Imported& imported) {
+        jit::setRuntimeSymbols(controller::runtimeSymbols());
+        const driver::Built built = driver::build(toProject(imported).buildInput());
+        if (!built.program) return nullptr;
+        auto controller = std::make_unique<controller::Controller>(built.program);
+        controller->start();
+        return controller->scan() ? std::move(controller) : nullptr;
+    }
+    static std::string textOf(const controller::Controller& controller, const std::string& name) {
+        const auto value = controller.read("MAIN." + name);
+        const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
+        return text ? *text : "no text";
     }
 };
 
@@ -241,142 +249,6 @@ TEST_F(OtherFormats, LooseTextKeepsCodeInCAsAComment) {
     EXPECT_EQ(imported.report.notes[0].kind, NoteKind::CodeSkipped);
 }
 
-TEST_F(OtherFormats, SourcesOfEveryEncodingAreReadAndWrittenBackAsFound) {
-    const std::string text = "PROGRAM P\n// \xC3\xA9 \xE2\x82\xAC\nEND_PROGRAM\n";
-    for (const projects::Encoding encoding :
-         {projects::Encoding::Utf8, projects::Encoding::Utf8Bom, projects::Encoding::Utf16Le,
-          projects::Encoding::Utf16Be, projects::Encoding::Windows1252}) {
-        const auto bytes = projects::encodeText(text, encoding);
-        ASSERT_TRUE(bytes);
-        const std::string file = write("e/src/p.st", *bytes);
-        const auto project = projects::openProject({path("e")});
-        ASSERT_TRUE(project);
-        EXPECT_EQ(project->sources.at(0).text, text);
-        const bool isUtf8 = encoding == projects::Encoding::Utf8 || encoding == projects::Encoding::Utf8Bom;
-        EXPECT_EQ(project->encodings.size(), isUtf8 ? 0u : 1u);
-        ASSERT_TRUE(projects::writeSourceText(file, text + "// \xC3\xBC\n"));
-        EXPECT_EQ(read(file), *projects::encodeText(text + "// \xC3\xBC\n", encoding));
-        ASSERT_TRUE(projects::writeSourceText(file, text, projects::Encoding::Utf8));
-        EXPECT_EQ(read(file), text);
-    }
-    write("w.st", "// \xE9\n");
-    const auto refused = projects::writeSourceText(path("w.st"), "// \xCE\xA9\n");
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.english().find("does not have the character \xCE\xA9"), std::string::npos);
-    EXPECT_EQ(read(path("w.st")), "// \xE9\n");
-}
-
-namespace {
-
-const std::string kCyrillic =
-    "PROGRAM P\n// \u041F\u0443\u0441\u043A \u043D\u0430\u0441\u043E\u0441\u0430, "
-    "\u043E\u0442\u043A\u0440\u044B\u0442\u044C \u043A\u043B\u0430\u043F\u0430\u043D\nEND_PROGRAM\n";
-
-std::string bytesOf(const std::string& text, projects::Encoding encoding) {
-    const auto bytes = projects::encodeText(text, encoding);
-    EXPECT_TRUE(bytes) << projects::nameOf(encoding) << ": " << bytes.error().english();
-    return bytes ? *bytes : std::string();
-}
-
-/// The first note of that kind; empty without one.
-std::string noteOf(const Imported& imported, NoteKind kind) {
-    for (const Note& note : imported.report.notes)
-        if (note.kind == kind) return note.message.english();
-    return {};
-}
-
-} // namespace
-
-TEST_F(OtherFormats, CyrillicTextIsToldFromWesternGreekAndChineseOne) {
-    using projects::Encoding;
-    const auto guessOf = [](const std::string& bytes) { return projects::decodeText(bytes).encoding; };
-    EXPECT_EQ(guessOf(bytesOf(kCyrillic, Encoding::Windows1251)), Encoding::Windows1251);
-    EXPECT_EQ(projects::decodeText(bytesOf(kCyrillic, Encoding::Windows1251)).text, kCyrillic);
-    EXPECT_EQ(guessOf(bytesOf("// gr\u00F6\u00DFer, \u00C4\u00D6\u00DC, d\u00E9j\u00E0 vu\n", Encoding::Windows1252)),
-              Encoding::Windows1252);
-    EXPECT_EQ(guessOf(bytesOf("// \u03B1\u03BD\u03C4\u03BB\u03AF\u03B1 \u03BD\u03B5\u03C1\u03BF\u03CD\n",
-                              Encoding::Windows1253)),
-              Encoding::Windows1252);
-    EXPECT_EQ(guessOf("// \xC6\xF4\xB6\xAF\xCB\xAE\xB1\xC3\xA3\xAC\xB4\xF2\xBF\xAA\xB7\xA7\n"),
-              Encoding::Windows1252); // GBK
-    EXPECT_EQ(guessOf("// vitesse \xE0 vide, \xE0 charge, \xE0 l'arr\xEAt\n"), Encoding::Windows1252);
-    EXPECT_EQ(guessOf(kCyrillic), Encoding::Utf8);
-}
-
-TEST_F(OtherFormats, EveryCodePageGoesOutAsItCame) {
-    std::string bytes = "// ";
-    for (int byte = 0x80; byte <= 0xFF; ++byte) bytes += static_cast<char>(byte);
-    std::set<std::string> texts;
-    for (const std::string& name : projects::codePageNames()) {
-        const auto encoding = projects::encodingNamed(name);
-        ASSERT_TRUE(encoding) << name;
-        const projects::DecodedText text = projects::decodeText(bytes, encoding);
-        EXPECT_EQ(text.encoding, *encoding);
-        EXPECT_FALSE(text.isGuessed);
-        EXPECT_EQ(bytesOf(text.text, *encoding), bytes) << name;
-        EXPECT_TRUE(texts.insert(text.text).second) << name << " is another one";
-    }
-    EXPECT_EQ(projects::encodingNamed("CP1251"), projects::Encoding::Windows1251);
-    EXPECT_FALSE(projects::encodingNamed("Shift-JIS"));
-    EXPECT_FALSE(projects::encodingNamed(""));
-}
-
-TEST_F(OtherFormats, ACodePageIsGuessedWithALineOrChosen) {
-    write("t/p.st", bytesOf(kCyrillic, projects::Encoding::Windows1251));
-    const Imported guessed = folder("t");
-    EXPECT_EQ(fileOf(guessed, "src/p.st"), kCyrillic);
-    EXPECT_NE(noteOf(guessed, NoteKind::EncodingGuessed).find("was read as Windows-1251"), std::string::npos);
-
-    const std::string polish = "PROGRAM P\n// za\u017C\u00F3\u0142\u0107 g\u0119\u015Bl\u0105\nEND_PROGRAM\n";
-    write("t/p.st", bytesOf(polish, projects::Encoding::Windows1250));
-    ImportOptions options;
-    options.codePage = projects::Encoding::Windows1250;
-    const auto chosen = importProjects(path("t"), options);
-    ASSERT_TRUE(chosen) << chosen.error().english();
-    EXPECT_EQ(fileOf(chosen->front(), "src/p.st"), polish);
-    EXPECT_EQ(noteOf(chosen->front(), NoteKind::EncodingRead), "The file is written in Windows-1250");
-    const auto alone = importProjects(path("t/p.st"), options);
-    ASSERT_TRUE(alone);
-    EXPECT_EQ(fileOf(alone->front(), "src/p.st"), polish);
-}
-
-TEST_F(OtherFormats, XmlIsReadInTheCodePageThatItDeclares) {
-    std::string document =
-        ExchangeTest::document(pou("Main", "program", "", ExchangeTest::st("; // \u043D\u0430\u0441\u043E\u0441")));
-    document.replace(document.find("utf-8"), 5, "koi8-r");
-    ImportOptions options;
-    options.codePage = projects::Encoding::Windows1250; // the file knows better
-    const auto imported = importProjects(write("k.xml", bytesOf(document, projects::Encoding::Koi8R)), options);
-    ASSERT_TRUE(imported) << imported.error().english();
-    const std::string text = fileOf(imported->front(), "src/Main.st");
-    EXPECT_NE(text.find("\u043D\u0430\u0441\u043E\u0441"), std::string::npos) << text;
-    EXPECT_EQ(noteOf(imported->front(), NoteKind::EncodingRead), "The file is written in KOI8-R");
-}
-
-TEST_F(OtherFormats, AProjectSaysItsCodePage) {
-    const std::string polish = "PROGRAM P\n// za\u017C\u00F3\u0142\u0107\nEND_PROGRAM\n";
-    const std::string bytes = bytesOf(polish, projects::Encoding::Windows1250);
-    write("c/project.json", "{\"encoding\": \"windows-1250\"}");
-    const std::string file = write("c/src/deep/p.st", bytes);
-    const auto project = projects::openProject({path("c")});
-    ASSERT_TRUE(project) << project.error().english();
-    EXPECT_EQ(project->sources.at(0).text, polish);
-    ASSERT_TRUE(projects::writeSourceText(file, polish + "// \u0141\n"));
-    EXPECT_EQ(read(file), bytesOf(polish + "// \u0141\n", projects::Encoding::Windows1250));
-    const auto refused = projects::writeSourceText(file, "// \u043D\n");
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().english().find("Windows-1250 does not have the character \u043D"), std::string::npos)
-        << refused.error().english();
-    EXPECT_EQ(read(file), bytesOf(polish + "// \u0141\n", projects::Encoding::Windows1250));
-
-    write("c/project.json", "{\"encoding\": \"Martian\"}");
-    const auto wrong = projects::openProject({path("c")});
-    ASSERT_FALSE(wrong);
-    EXPECT_NE(wrong.error().english().find("The encoding Martian is not known; choose one of Windows-1252"),
-              std::string::npos)
-        << wrong.error().english();
-}
-
 TEST_F(OtherFormats, XmlIsNeverReadAsStructuredText) {
     write("x.st", "<?xml version=\"1.0\"?><TcPlcObject/>");
     const auto project = projects::openProject({path("x.st")});
@@ -547,19 +419,10 @@ TEST_F(OtherFormats, MessagesToTheLogOfTwinCatAreLinesThatCanBeRead) {
                  "</POU>"));
     const Imported imported = folder("log");
     EXPECT_EQ(errorsOf(imported), "");
-    jit::setRuntimeSymbols(controller::runtimeSymbols());
-    const driver::Built built = driver::build(toProject(imported).buildInput());
-    ASSERT_TRUE(built.program);
-    controller::Controller controller(built.program);
-    controller.start();
-    ASSERT_TRUE(controller.scan());
-    const auto textOf = [&](const std::string& name) {
-        const auto value = controller.read("MAIN." + name);
-        const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
-        return text ? *text : std::string("no text");
-    };
-    EXPECT_EQ(textOf("first"), "name pump!");
-    EXPECT_EQ(textOf("second"), "code 12");
+    const auto controller = scanned(imported);
+    ASSERT_TRUE(controller);
+    EXPECT_EQ(textOf(*controller, "first"), "name pump!");
+    EXPECT_EQ(textOf(*controller, "second"), "code 12");
 }
 
 TEST_F(OtherFormats, TextsWithValuesAreFormattedAsTwinCatDoes) {
@@ -575,21 +438,12 @@ TEST_F(OtherFormats, TextsWithValuesAreFormattedAsTwinCatDoes) {
                  "</POU>"));
     const Imported imported = folder("fmt");
     EXPECT_EQ(errorsOf(imported), "");
-    jit::setRuntimeSymbols(controller::runtimeSymbols());
-    const driver::Built built = driver::build(toProject(imported).buildInput());
-    ASSERT_TRUE(built.program);
-    controller::Controller controller(built.program);
-    controller.start();
-    ASSERT_TRUE(controller.scan());
-    const auto textOf = [&](const std::string& name) {
-        const auto value = controller.read("MAIN." + name);
-        const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
-        return text ? *text : std::string("no text");
-    };
-    EXPECT_EQ(textOf("a.sOut"), "n=-7|-0042|3    |    4|ff|00AB|100%|abc|xy");
-    EXPECT_EQ(textOf("b.sOut"), "1.500000 -1.0   3.14 3 1.000000");
-    EXPECT_EQ(textOf("c.sOut"), "1 0");
-    EXPECT_EQ(controller.read("MAIN.c.bError")->integer(), 1); // the second value is missing
+    const auto controller = scanned(imported);
+    ASSERT_TRUE(controller);
+    EXPECT_EQ(textOf(*controller, "a.sOut"), "n=-7|-0042|3    |    4|ff|00AB|100%|abc|xy");
+    EXPECT_EQ(textOf(*controller, "b.sOut"), "1.500000 -1.0   3.14 3 1.000000");
+    EXPECT_EQ(textOf(*controller, "c.sOut"), "1 0");
+    EXPECT_EQ(controller->read("MAIN.c.bError")->integer(), 1); // the second value is missing
 }
 
 TEST_F(OtherFormats, WhatALibraryOfDevicesWouldDoIsNamedWithTheLibrary) {
