@@ -61,7 +61,7 @@ public:
     void saveAll();
     void applySettings();
     /// Edits of several files at once (rename): open ones through their editor, the others in the workspace. One undo
-    /// takes all of them back; what was done `alongside` in panels is told, too (true: back).
+    /// takes all of them back; `alongside` changes the panels with them, forward (false) and back (true).
     void applyEdits(const std::map<QString, std::vector<diagnostics::TextEdit>>& edits,
                     std::function<void(bool)> alongside = {});
     void applyEdits(const std::vector<analysis::FileEdits>& edits, const SourceSet& sources);

@@ -16,7 +16,7 @@ class FileChanges {
 public:
     FileChanges(editor::Workspace& workspace, EditorTabs& tabs) : m_workspace(workspace), m_tabs(tabs) {}
 
-    /// What was done `alongside` in panels is told, too (true: back).
+    /// `alongside` changes the panels with the texts, forward (false) and back (true).
     void apply(const std::map<QString, std::vector<diagnostics::TextEdit>>& edits, std::function<void(bool)> alongside);
     /// New texts.
     void apply(const std::map<QString, std::string>& texts);

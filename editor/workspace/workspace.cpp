@@ -336,7 +336,7 @@ void Workspace::autosave() {
             if (QFile::exists(side)) QFile::remove(side);
             continue;
         }
-        (void)projects::writeFileAtomically(toStd(side), content.text); // a full disk is told at the real save
+        (void)projects::writeFileAtomically(toStd(side), content.text); // a full disk is reported by the real save
     }
 }
 

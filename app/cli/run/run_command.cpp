@@ -73,7 +73,7 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
     return plan;
 }
 
-/// A folder that is not there is told before hours are simulated, not after.
+/// A missing folder is reported before hours are simulated, not after.
 template <class What> Result<void> checkFolder(const std::string& file, const What& missing) {
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();

@@ -56,7 +56,7 @@ std::string instanceOf(const sema::Analysis& analysis, std::string_view unit) {
     return found;
 }
 
-/// Errors of a chart's text, by message: what an edit adds is what it is told.
+/// Errors of a chart's text, by message: those that an edit adds are shown to the user.
 std::vector<Message> errorsIn(std::string_view text, std::string_view unit) {
     std::vector<Message> out;
     diagnostics::Sink sink;

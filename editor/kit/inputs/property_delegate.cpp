@@ -131,7 +131,7 @@ QSize PropertyDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
 }
 
 void PropertyDelegate::finish(QWidget* editor) const {
-    // Closed before the commit is told: whoever hears of it may give the grid other rows.
+    // Closed before the commit is announced: its receivers may give the grid other rows.
     const QString id = idOf(m_grid.currentIndex());
     auto* self = const_cast<PropertyDelegate*>(this);
     const std::optional<QVariant> value = valueOf(editor, id);

@@ -200,7 +200,7 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(language)))
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addSeparator();
-    // What the table is exchanged with is told by words: the pictures are the same.
+    // The words say what the table is exchanged with: the icons are the same.
     QMenu* imports = kit::addBarMenu(*bar, kit::icon(kit::Icon::Import), tr("Import"));
     QMenu* exports = kit::addBarMenu(*bar, kit::icon(kit::Icon::Export), tr("Export"));
     imports->addAction(tr("Import CSV"), this, [this] {

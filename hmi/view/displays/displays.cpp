@@ -193,7 +193,7 @@ void LampView::draw(QPainter& painter) {
         painter.setBrush(light);
     }
     painter.drawRoundedRect(inner, innerRadius, innerRadius);
-    if (!glows && theme().kind() == PanelThemeKind::Contrast) { // off is told by shape, too
+    if (!glows && theme().kind() == PanelThemeKind::Contrast) { // off has another shape, too
         painter.setPen(QPen(theme().color("line"), 2));
         painter.drawLine(inner.center() - QPointF(inner.height() * 0.2, 0),
                          inner.center() + QPointF(inner.height() * 0.2, 0));
