@@ -8,8 +8,8 @@ SourceText::SourceText(std::string path, std::string text) : m_path(std::move(pa
     auto content = std::make_shared<Content>();
     content->text = std::move(text);
     content->lineBegins.push_back(0);
-    for (uint32_t i = 0; i < content->text.size(); ++i)
-        if (content->text[i] == '\n') content->lineBegins.push_back(i + 1);
+    for (size_t at = content->text.find('\n'); at != std::string::npos; at = content->text.find('\n', at + 1))
+        content->lineBegins.push_back(static_cast<uint32_t>(at + 1));
     m_content = std::move(content);
 }
 

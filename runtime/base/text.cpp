@@ -43,6 +43,11 @@ char32_t foldCharacter(char32_t c) {
     return c;
 }
 
+// Names are nearly always ASCII, and a check compares and folds them by the hundred thousand: that way makes no second
+// string and looks at each byte once.
+char foldAscii(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
 template <class T> std::string shortest(T value) {
     if (std::isnan(value)) return "NaN";
     if (std::isinf(value)) return value > 0 ? "INF" : "-INF";
@@ -56,21 +61,26 @@ template <class T> std::string shortest(T value) {
 } // namespace
 
 std::string foldCase(std::string_view utf8) {
-    std::string out;
-    out.reserve(utf8.size());
-    for (size_t i = 0; i < utf8.size();) {
-        const unsigned char byte = static_cast<unsigned char>(utf8[i]);
-        if (byte < 0x80) {
-            out += (byte >= 'A' && byte <= 'Z') ? static_cast<char>(byte + 32) : static_cast<char>(byte);
-            ++i;
-        } else {
+    std::string out(utf8);
+    size_t i = 0;
+    for (; i < out.size() && isAscii(out[i]); ++i) out[i] = foldAscii(out[i]);
+    out.resize(i);
+    while (i < utf8.size())
+        if (isAscii(utf8[i]))
+            out += foldAscii(utf8[i++]);
+        else
             appendUtf8(out, foldCharacter(decodeUtf8(utf8, i)));
-        }
-    }
     return out;
 }
 
-bool equalsIgnoringCase(std::string_view a, std::string_view b) { return foldCase(a) == foldCase(b); }
+bool equalsIgnoringCase(std::string_view a, std::string_view b) {
+    const size_t shorter = std::min(a.size(), b.size());
+    size_t i = 0;
+    for (; i < shorter && isAscii(a[i]) && isAscii(b[i]); ++i)
+        if (foldAscii(a[i]) != foldAscii(b[i])) return false;
+    // One letter of another script may have fewer bytes than its capital: only what is folded can be compared.
+    return i == a.size() || i == b.size() ? a.size() == b.size() : foldCase(a.substr(i)) == foldCase(b.substr(i));
+}
 
 char32_t decodeUtf8(std::string_view text, size_t& at) {
     const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };

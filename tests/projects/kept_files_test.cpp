@@ -113,4 +113,50 @@ TEST(KeptFiles, RandomEditsFindWhatAFullCheckFinds) {
     }
 }
 
+/// A file long enough that what is in front of an edit is shared with the reading before; charts and instruction lists
+/// at its end, since these are lowered.
+std::string longFile() {
+    std::string text = "VAR_GLOBAL\n  gTotal : DINT;\nEND_VAR\n";
+    for (int i = 0; i < 200; ++i)
+        text += "FUNCTION_BLOCK Station" + std::to_string(i) +
+                "\nVAR_INPUT level : INT; END_VAR\nVAR k : INT; t : TON; END_VAR\nt(IN := level > 5, PT := T#1s);\n"
+                "IF t.Q THEN\n  k := k + 1;\n  gTotal := gTotal + k;\nEND_IF;\nEND_FUNCTION_BLOCK\n\n";
+    return text + "PROGRAM List\nVAR a, b : INT; s : Station3; END_VAR\nLD a\nADD 1\nST b\nCAL s(level := b)\n"
+                  "END_PROGRAM\n\nPROGRAM Chart\nVAR x : BOOL; END_VAR\nINITIAL_STEP One:\nEND_STEP\n"
+                  "TRANSITION FROM One TO Two := x; END_TRANSITION\nSTEP Two:\nEND_STEP\n"
+                  "TRANSITION FROM Two TO One := NOT x; END_TRANSITION\nEND_PROGRAM\n\n"
+                  "PROGRAM Last\nVAR s : Station7; n : INT; END_VAR\ns(level := n);\nn := n + 1;\nEND_PROGRAM\n";
+}
+
+TEST(KeptFiles, EditsOfALongFileFindWhatAFullCheckFinds) {
+    std::mt19937 random(20261123);
+    driver::BuildInput input = someProject();
+    input.files.push_back({"src/long.st", longFile()});
+    const std::string clean = input.files.back().text;
+    driver::KeptFiles kept;
+    std::vector<driver::Checked> earlier; // what others still hold stays whole
+    size_t shared = 0;
+    const syntax::Decl* front = nullptr;
+    for (int step = 0; step < 120; ++step) {
+        SCOPED_TRACE("step " + std::to_string(step) + " of seed 20261123");
+        std::string& text = input.files.back().text;
+        if (step % 5 == 4) text = clean;
+        const size_t from = step % 3 == 0 ? text.size() / 2 : text.size() - 700;
+        const size_t at = from + random() % (text.size() - from);
+        if (random() % 4 == 0)
+            text.erase(at, 1 + random() % 4);
+        else
+            text.insert(at, std::vector<std::string>{" ", "x", ";", "(*", "n := 2;\n", "ST a\n", "END_PROGRAM\n",
+                                                     "FUNCTION_BLOCK Q\nEND_FUNCTION_BLOCK\n"}[random() % 8]);
+        const driver::Checked now = driver::check(input, kept);
+        ASSERT_EQ(findingsOf(now), findingsOf(driver::check(input)));
+        const syntax::Decl* first = now.analysis->files[3]->declarations.front();
+        shared += first == front;
+        front = first;
+        if (step % 10 == 0) earlier.push_back(now);
+    }
+    EXPECT_GT(shared, 40u);
+    for (const driver::Checked& each : earlier) EXPECT_FALSE(findingsOf(each).empty());
+}
+
 } // namespace

@@ -5,7 +5,7 @@
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/driver/dynamic_memory.h"
 #include "runtime/compiler/lower/lower.h"
-#include "runtime/compiler/parse/parser.h"
+#include "runtime/compiler/parse/reparse.h"
 #include "runtime/compiler/sema/kept_bodies.h"
 #include "runtime/library/sources.h"
 
@@ -19,6 +19,33 @@ bool isWanted(std::string_view library, const std::vector<std::string>& wanted) 
     if (equalsIgnoringCase(library, "standard")) return true;
     return std::any_of(wanted.begin(), wanted.end(),
                        [&](const std::string& name) { return equalsIgnoringCase(name, library); });
+}
+
+/// The owner of a tree whose first declarations are nodes of earlier readings of its file: it keeps those and their
+/// texts, which names are views of.
+struct KeepsEarlier {
+    struct Earlier {
+        size_t first = 0; // of its declarations in the file
+        std::shared_ptr<const syntax::SyntaxFile> tree;
+        SourceText text;
+    };
+    std::vector<Earlier> earlier; // in the order of the file
+    size_t first = 0;             // of the tree's own declarations
+    void operator()(const syntax::SyntaxFile* tree) const { delete tree; }
+};
+
+/// Each keeps its tokens as well, so that a file edited at many places is read in whole now and then.
+constexpr size_t kMostEarlier = 4;
+
+/// Whose nodes the first `shared` declarations of a tree are.
+std::vector<KeepsEarlier::Earlier> ownersOf(const std::shared_ptr<const syntax::SyntaxFile>& tree,
+                                            const SourceText& text, size_t shared) {
+    std::vector<KeepsEarlier::Earlier> out;
+    const auto* keeps = std::get_deleter<KeepsEarlier>(tree);
+    if (keeps) out = keeps->earlier;
+    out.push_back({keeps ? keeps->first : 0, tree, text});
+    std::erase_if(out, [&](const KeepsEarlier::Earlier& each) { return each.first >= shared; });
+    return out;
 }
 
 } // namespace
@@ -40,6 +67,31 @@ struct KeptFiles::Reading {
     std::optional<SourceText> source;
     std::unique_ptr<syntax::SyntaxFile> fresh; // null: kept
     diagnostics::Sink sink;
+    size_t shared = 0; // so many declarations of `fresh` are nodes of `earlier`
+    std::vector<KeepsEarlier::Earlier> earlier{};
+
+    /// Reads it; of a file that is `before` but for an edit, what is in front of that edit is shared.
+    void read(FileId id, const File* before, const parse::Definitions& defines) {
+        source.emplace(path, std::string(text));
+        if (before) {
+            auto again = parse::reparseFile({*before->tree, before->text.text(), before->diagnostics}, source->text(),
+                                            sink, &defines);
+            if (again) earlier = ownersOf(before->tree, before->text, again->shared);
+            if (again && earlier.size() <= kMostEarlier) {
+                fresh = std::move(again->tree);
+                shared = again->shared;
+                return;
+            }
+        }
+        earlier.clear();
+        sink = {};
+        fresh = parse::parseFile(id, source->text(), sink, &defines);
+    }
+
+    [[nodiscard]] std::shared_ptr<const syntax::SyntaxFile> takeTree() {
+        if (shared == 0) return std::move(fresh);
+        return {fresh.release(), KeepsEarlier{std::move(earlier), shared}};
+    }
 };
 
 KeptFiles::KeptFiles() : m_bodies(std::make_shared<sema::KeptBodies>()) {}
@@ -83,8 +135,9 @@ std::optional<ReadFiles> KeptFiles::read(const BuildInput& input, Progress* prog
         if (!goesOn(progress, kShare * static_cast<double>(i) / static_cast<double>(all.size()))) return {};
         Reading& each = all[i];
         if (isKept(i, each)) continue;
-        each.source.emplace(each.path, std::string(each.text));
-        each.fresh = parse::parseFile(FileId(i), each.source->text(), each.sink, &defines);
+        const bool isSameFile =
+            i < m_files.size() && m_files[i].text.path() == each.path && m_files[i].library == each.library;
+        each.read(FileId(i), isSameFile ? &m_files[i] : nullptr, defines);
         asks = asks || each.fresh->asksForNames;
     }
     if (asks) { // read again, once the names of all files are known
@@ -97,6 +150,7 @@ std::optional<ReadFiles> KeptFiles::read(const BuildInput& input, Progress* prog
             parse::Definitions known = names;
             addVariables(*each.fresh, each.source->text(), known);
             each.sink = {};
+            each.shared = 0;
             each.fresh = parse::parseFile(FileId(i), each.source->text(), each.sink, &known);
         }
     }
@@ -110,9 +164,9 @@ std::optional<ReadFiles> KeptFiles::read(const BuildInput& input, Progress* prog
         if (each.fresh) {
             ++m_readLast;
             each.fresh->library = each.library;
-            lower::lowerFile(*each.fresh, each.sink, m_keepsEveryResult ? lower::Keep::Every : lower::Keep::Needed);
-            files.push_back(
-                {std::move(*each.source), std::move(each.library), std::move(each.fresh), each.sink.take()});
+            lower::lowerFile(*each.fresh, each.sink, m_keepsEveryResult ? lower::Keep::Every : lower::Keep::Needed,
+                             each.shared);
+            files.push_back({std::move(*each.source), std::move(each.library), each.takeTree(), each.sink.take()});
         } else {
             files.push_back(std::move(m_files[i]));
         }

@@ -1,10 +1,12 @@
 #include "runtime/base/chars.h"
 #include "runtime/compiler/lex/exported_lines.h"
 #include "runtime/compiler/lex/literal_prefix.h"
+#include "runtime/compiler/lex/relex.h"
 #include "runtime/compiler/lex/words.h"
 
 #include "runtime/base/text.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -25,14 +27,31 @@ public:
 
     TokenList run() {
         m_list.tokens.reserve(m_text.size() / 4 + 16);
-        if (const auto bad = firstInvalidUtf8(m_text)) emit(*bad, *bad + 1, findings::InvalidUtf8());
         if (m_text.starts_with("\xEF\xBB\xBF")) m_at = 3;
+        return readOn();
+    }
+    /// Behind tokens that are known.
+    TokenList runFrom(const TokenList& before, size_t kept) {
+        const Token& first = before.tokens[kept];
+        m_at = first.begin;
+        m_newline = first.afterNewline;
+        m_list.tokens.reserve(kept + (m_text.size() - m_at) / 4 + 16);
+        m_list.tokens.assign(before.tokens.begin(), before.tokens.begin() + static_cast<std::ptrdiff_t>(kept));
+        const auto end = std::lower_bound(before.comments.begin(), before.comments.end(), first.begin,
+                                          [](const Comment& each, size_t at) { return each.begin < at; });
+        m_list.comments.assign(before.comments.begin(), end);
+        return readOn();
+    }
+
+private:
+    TokenList readOn() {
+        if (const auto bad = firstInvalidUtf8(m_text.substr(m_at)))
+            emit(m_at + *bad, m_at + *bad + 1, findings::InvalidUtf8());
         while (skipBlanks()) lexToken();
         push(TokenKind::EndOfFile, m_text.size(), m_text.size());
         return std::move(m_list);
     }
 
-private:
     char peek(size_t ahead = 0) const { return m_at + ahead < m_text.size() ? m_text[m_at + ahead] : '\0'; }
     std::string_view slice(size_t begin, size_t end) const { return m_text.substr(begin, end - begin); }
 
@@ -145,7 +164,7 @@ private:
         default:
             break;
         }
-        if (foreign() || symbol()) return;
+        if ((std::string_view("=!&|%").find(c) != std::string_view::npos && foreign()) || symbol()) return;
         if (static_cast<unsigned char>(c) >= 0x80) {
             size_t next = m_at;
             const char32_t character = decodeUtf8(m_text, next);
@@ -202,8 +221,9 @@ private:
             {",", TokenKind::Comma},      {";", TokenKind::Semicolon},   {":", TokenKind::Colon},
             {".", TokenKind::Dot},        {"^", TokenKind::Caret},       {"#", TokenKind::Hash}};
         const char first = peek(), second = peek(1);
-        for (const Row& row : two)
-            if (row.text[0] == first && row.text[1] == second) return takeSymbol(row.kind, 2);
+        if (std::string_view("=>*.").find(second) != std::string_view::npos) // few symbols have two characters
+            for (const Row& row : two)
+                if (row.text[0] == first && row.text[1] == second) return takeSymbol(row.kind, 2);
         for (const Row& row : one)
             if (row.text[0] == first) return takeSymbol(row.kind, 1);
         return false;
@@ -241,7 +261,7 @@ private:
         const std::string_view text = slice(begin, m_at);
         if (peek() == '#') return prefixed(begin, text);
         if (peek() == '=' && m_at + 1 <= m_text.size() && setOrReset(begin, text)) return;
-        if (equalsIgnoringCase(text, "ELSEIF")) return elseIf(begin);
+        if (text.size() == 6 && equalsIgnoringCase(text, "ELSEIF")) return elseIf(begin);
         const Word word = lookUpWord(text);
         push(word.kind, begin, m_at, word.soft);
     }
@@ -602,6 +622,11 @@ private:
 
 TokenList tokenize(FileId file, std::string_view text, diagnostics::Sink& sink) {
     return Lexer(file, text, sink).run();
+}
+
+TokenList tokenizeFrom(FileId file, std::string_view text, const TokenList& before, size_t kept,
+                       diagnostics::Sink& sink) {
+    return Lexer(file, text, sink).runFrom(before, kept);
 }
 
 } // namespace plc::lex

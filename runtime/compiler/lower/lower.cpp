@@ -5,6 +5,8 @@
 #include "runtime/compiler/lower/chart.h"
 #include "runtime/compiler/lower/instruction_list.h"
 
+#include <span>
+
 namespace plc::lower {
 
 using syntax::ActionDecl;
@@ -21,9 +23,9 @@ public:
     FileLowering(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results)
         : m_file(file), m_builder(file), m_sink(sink), m_results(results) {}
 
-    void run() {
+    void run(size_t first) {
         collectBlocks(m_file.declarations);
-        declarations(m_file.declarations);
+        declarations(std::span(m_file.declarations).subspan(first));
     }
 
 private:
@@ -34,7 +36,7 @@ private:
                 m_blocks.push_back(foldCase(decl->pou->name.text));
         }
     }
-    void declarations(const std::vector<Decl*>& list) {
+    void declarations(std::span<Decl* const> list) {
         for (Decl* decl : list) {
             if (decl->space) declarations(decl->space->declarations);
             if (decl->pou) unit(*decl->pou);
@@ -110,8 +112,8 @@ private:
 
 } // namespace
 
-void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results) {
-    FileLowering(file, sink, results).run();
+void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results, size_t first) {
+    FileLowering(file, sink, results).run(first);
 }
 
 } // namespace plc::lower

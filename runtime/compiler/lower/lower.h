@@ -20,6 +20,7 @@ namespace plc::lower {
 enum class Keep : uint8_t { Needed, Every };
 
 /// Lowers every IL and SFC body of the file in place. `results`: of programs and blocks; functions keep what they need.
-void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results = Keep::Every);
+/// Declarations before `first` are those of another tree and have been lowered.
+void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results = Keep::Every, size_t first = 0);
 
 } // namespace plc::lower

@@ -68,7 +68,7 @@ enum class BodyContext : uint8_t { Unit, Fragment };
 class Parser {
 public:
     Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
-           size_t lexicalErrors, Conditions conditions = {});
+           size_t lexicalErrors, Conditions conditions = {}, size_t firstToken = 0);
 
     // declarations.cpp
     void parseFile();

@@ -7,12 +7,12 @@ namespace plc::parse {
 using diagnostics::Diagnostic;
 
 Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
-               size_t lexicalErrors, Conditions conditions)
+               size_t lexicalErrors, Conditions conditions, size_t firstToken)
     : m_file(file), m_list(tokens), m_conditions(std::move(conditions)), m_text(text), m_sink(sink) {
-    m_tokens.reserve(tokens.tokens.size());
-    m_sourceIndex.reserve(tokens.tokens.size());
+    m_tokens.reserve(tokens.tokens.size() - firstToken);
+    m_sourceIndex.reserve(tokens.tokens.size() - firstToken);
     bool newline = false;
-    for (uint32_t i = 0; i < tokens.tokens.size(); ++i) {
+    for (auto i = static_cast<uint32_t>(firstToken); i < tokens.tokens.size(); ++i) {
         const Token& token = tokens.tokens[i];
         newline |= token.afterNewline;
         if (token.kind == TokenKind::Pragma || token.kind == TokenKind::Error || m_conditions.isLeftOut(i)) continue;

@@ -72,6 +72,30 @@ void checkUnusedActions(WorldBuilder& world) {
     }
 }
 
+namespace {
+
+/// What something outside of the text uses, by number: every variable is asked for, and a text would be folded each
+/// time.
+class UsedElsewhere {
+public:
+    explicit UsedElsewhere(const World& world) {
+        for (const std::string& name : world.options.usedElsewhere) {
+            const NameId id = name.starts_with('.') ? world.names.find(std::string_view(name).substr(1)) : NameId();
+            if (!id.isValid()) continue;
+            if (id.index() >= m_used.size()) m_used.resize(id.index() + 1);
+            m_used[id.index()] = true;
+        }
+    }
+    [[nodiscard]] bool contains(NameId id) const {
+        return id.isValid() && id.index() < m_used.size() && m_used[id.index()];
+    }
+
+private:
+    std::vector<bool> m_used;
+};
+
+} // namespace
+
 ///   ok:    VAR x : INT := 1; y : INT; END_VAR y := x;
 ///   advice: VAR x : INT; END_VAR  that nothing names (P3005)   y := x;  where nothing writes x (P3006)
 // All of these are advice: a program runs as well with an unused variable. Names that something outside of the text
@@ -80,12 +104,14 @@ void checkUsage(WorldBuilder& world) {
     gatherConfigured(world);
     checkUnusedGlobals(world);
     checkUnusedActions(world);
+    const UsedElsewhere usedElsewhere(world);
+    const NameId chart = world.key("__chart0");
     for (Unit& unit : world.units) {
         if (unit.isLibrary() || unit.kind == UnitKind::Interface ||
             (unit.owner && unit.owner->kind == UnitKind::Interface))
             continue;
         // __chart0 is what the lowering of a chart adds. SFCInit, SFCPause … are flags that the chart itself reads.
-        const bool hasChart = unit.members.contains(world.key("__chart0"));
+        const bool hasChart = unit.members.contains(chart);
         for (Variable& variable : unit.variables) {
             if (hasChart && equalsIgnoringCase(std::string_view(variable.name).substr(0, 3), "SFC"))
                 continue; // flags of the chart
@@ -101,9 +127,7 @@ void checkUsage(WorldBuilder& world) {
             if (world.types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() ||
                 known->second.variable != &variable || known->second.unit)
                 continue;
-            if (world.options.usedElsewhere.contains("." + foldCase(variable.name)) ||
-                hasSyntaxErrorAt(world, variable.range))
-                continue;
+            if (usedElsewhere.contains(variable.id) || hasSyntaxErrorAt(world, variable.range)) continue;
             if (variable.reads == 0 && variable.writes == 0) {
                 // A located variable that nothing uses is the wiring list of the machine.
                 if (variable.isLocated) continue;
