@@ -2,7 +2,6 @@
 #include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
 
-#include <cmath>
 #include <cstring>
 
 namespace plc::hmi {
@@ -212,9 +211,7 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
         const auto stamp = history.stamp(bucket.begin);
         const int64_t from = stamp ? (stamp->time - now->time).count() : 0;
         if (!out.empty()) out.back().to = from;
-        const bool isNumber = bucket.count > 0 && !std::isnan(bucket.minimum);
-        out.push_back(
-            {{bucket.first, bucket.minimum, bucket.maximum, bucket.last, bucket.count, isNumber}, from, from});
+        out.push_back({bucket, from, from});
     }
     if (!out.empty()) out.back().to = 0;
     return out;

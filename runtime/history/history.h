@@ -3,6 +3,7 @@
 // finished before they asked.
 #pragma once
 #include "runtime/base/progress.h"
+#include "runtime/base/signal.h"
 #include "runtime/expression/expression.h"
 #include "runtime/history/journal.h"
 #include "runtime/image/program.h"
@@ -48,11 +49,9 @@ struct Mark { // event on the time axis
     Message text;
 };
 
-/// Samples of one bucket of a series. `count` 0 = gap (evicted, or the path did not exist).
-struct Bucket {
-    double first = 0, minimum = 0, maximum = 0, last = 0;
-    uint64_t count = 0;
-    Position begin = 0; // first position of the bucket
+/// A bucket of a series over scans. `count` 0 = gap (evicted, or the path did not exist).
+struct Bucket : SignalBucket {
+    Position begin = 0; // its first scan
 };
 struct Sample {
     ScanStamp at;

@@ -27,6 +27,7 @@ public:
             bucket.minimum = std::fmin(bucket.minimum, value);
             bucket.maximum = std::fmax(bucket.maximum, value);
             bucket.last = value;
+            bucket.isNumber |= !std::isnan(value);
             bucket.count += end - first;
             first = end;
         }

@@ -232,6 +232,7 @@ public:
     std::vector<uint32_t> m_sourceIndex; // into m_list.tokens
     std::vector<uint32_t> m_badOffsets;  // where the lexer complained, in order
     size_t m_at = 0;
+    uint32_t m_firstToken = 0; // of m_list that is read: what is in front belongs to other units
     size_t m_lastErrorAt = SIZE_MAX;
     int m_depth = 0;
     std::vector<TokenKind> m_open;

@@ -8,11 +8,12 @@ using diagnostics::Diagnostic;
 
 Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
                size_t lexicalErrors, Conditions conditions, size_t firstToken)
-    : m_file(file), m_list(tokens), m_conditions(std::move(conditions)), m_text(text), m_sink(sink) {
+    : m_file(file), m_list(tokens), m_conditions(std::move(conditions)), m_text(text), m_sink(sink),
+      m_firstToken(static_cast<uint32_t>(firstToken)) {
     m_tokens.reserve(tokens.tokens.size() - firstToken);
     m_sourceIndex.reserve(tokens.tokens.size() - firstToken);
     bool newline = false;
-    for (auto i = static_cast<uint32_t>(firstToken); i < tokens.tokens.size(); ++i) {
+    for (auto i = m_firstToken; i < tokens.tokens.size(); ++i) {
         const Token& token = tokens.tokens[i];
         newline |= token.afterNewline;
         if (token.kind == TokenKind::Pragma || token.kind == TokenKind::Error || m_conditions.isLeftOut(i)) continue;

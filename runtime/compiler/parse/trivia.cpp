@@ -36,7 +36,7 @@ bool Parser::hasNewline(uint32_t begin, uint32_t end) const {
 std::vector<Pragma> Parser::pragmasHere() {
     std::vector<Pragma> out;
     const uint32_t end = sourceIndex(m_at);
-    const uint32_t begin = m_at == 0 ? 0 : sourceIndex(m_at - 1) + 1;
+    const uint32_t begin = m_at == 0 ? m_firstToken : sourceIndex(m_at - 1) + 1;
     for (uint32_t i = begin; i < end; ++i)
         if (m_list.tokens[i].kind == TokenKind::Pragma && !m_conditions.isLeftOut(i))
             out.push_back(readPragma(m_list.tokens[i]));

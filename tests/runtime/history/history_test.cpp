@@ -306,6 +306,7 @@ TEST_F(Queries, BucketsHoldFirstLeastGreatestAndLast) {
         EXPECT_EQ(buckets[k].count, end - buckets[k].begin);
         EXPECT_EQ(buckets[k].first, *stored(buckets[k].begin, "data[3]"));
         EXPECT_EQ(buckets[k].last, *stored(end - 1, "data[3]"));
+        EXPECT_TRUE(buckets[k].isNumber);
         EXPECT_EQ(buckets[k].minimum, low);
         EXPECT_EQ(buckets[k].maximum, high);
     }
