@@ -83,7 +83,8 @@ at_length() { # name of a long test
     case "$1" in
     broken_goldens) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Broken.Goldens' ;;
     broken_corpus) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Broken.Corpus' ;;
-    random_programs) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Random.*' ;;
+    random_values) exec build/dev/bin/test_golden --gtest_filter='Random.*-Random.ManyProgramsFault*' ;;
+    random_faults) exec build/dev/bin/test_golden --gtest_filter='Random.ManyProgramsFault*' ;;
     damaged_files) exec build/dev/bin/test_loaders --gtest_brief=1 ;;
     esac
 }
@@ -111,7 +112,7 @@ part "dev: every test" run_tests dev
 part "dev: tests of the shipped examples" run_examples
 if [ "$long" = 1 ]; then
     say "tests: broken programs at each token, random programs and damaged files at length"
-    long_tests=(broken_goldens random_programs damaged_files)
+    long_tests=(random_values random_faults broken_goldens damaged_files)
     [ -z "${STEPWISE_CORPUS:-}" ] || long_tests=(broken_corpus "${long_tests[@]}")
     part "dev: broken programs, random programs, damaged files" \
         side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"

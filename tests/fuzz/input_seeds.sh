@@ -6,7 +6,8 @@ cd "$(dirname "$0")/../.."
 mkdir -p "$1"
 kind=0
 for pattern in 'projects/examples/*/hmi/*.panel.json' 'projects/examples/*/hmi/texts.csv' 'projects/examples/*/hmi/alarms.json' \
-    'projects/examples/*/traces/*.trace.json' 'projects/examples/*/project.json'; do
+    'projects/examples/*/traces/*.trace.json' 'projects/examples/*/project.json' '' '' 'projects/examples/*/hmi/recipes.json' \
+    'projects/examples/*/hmi/people.json' '' 'projects/examples/*/devices.json'; do
     number=0
     for file in $pattern; do
         if [ -f "$file" ] && [ "$(stat -c %s "$file")" -lt 8000 ]; then

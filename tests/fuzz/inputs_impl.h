@@ -6,10 +6,16 @@
 #include "editor/trace/setup/trace_setup.h"
 #include "hmi/alarms/alarm_file.h"
 #include "hmi/check/panel_check.h"
+#include "hmi/people/people_file.h"
+#include "hmi/recipes/recipe_file.h"
 #include "hmi/texts/text_table.h"
+#include "hmi/texts/xliff.h"
 #include "hmi/view/element_factory.h"
 #include "hmi/view/scene/panel_scene.h"
+#include "projects/devices/configuration/device_check.h"
+#include "projects/exchange/import.h"
 #include "projects/storage/project_file.h"
+#include "projects/waveform/table.h"
 #include "runtime/controller/retain.h"
 
 #include <QImage>
@@ -133,5 +139,50 @@ void readRecording(const std::string& bytes) {
 }
 
 void readRetainFile(const std::string& bytes) { (void)controller::loadRetain(scratch().write("a.retain", bytes)); }
+
+void readRecipes(const std::string& bytes) {
+    auto file = hmi::RecipeFile::parse(bytes, QStringLiteral("recipes.json"));
+    if (!file) return;
+    const std::string written = file->write();
+    const auto again = hmi::RecipeFile::parse(written, QStringLiteral("recipes.json"));
+    mustHold(bool(again) && again->write() == written);
+    for (hmi::Recipe& recipe : file->recipes()) {
+        (void)hmi::recipeFromCsv(recipe, bytes, QStringLiteral("recipe.csv"));
+        (void)hmi::recipeFromCsv(recipe, hmi::recipeToCsv(recipe), QStringLiteral("recipe.csv"));
+    }
+}
+
+void readPeople(const std::string& bytes) {
+    const auto file = hmi::PeopleFile::parse(bytes, QStringLiteral("people.json"));
+    if (!file) return;
+    const std::string written = file->write();
+    const auto again = hmi::PeopleFile::parse(written, QStringLiteral("people.json"));
+    mustHold(bool(again) && again->write() == written);
+}
+
+void readTranslations(const std::string& bytes) {
+    const auto file = hmi::readXliff(bytes, QStringLiteral("texts.xlf"));
+    if (!file) return;
+    auto table = hmi::TextTable::parse("key,comment,en,de\na,,Start,\nb,,Level %d,\n", QStringLiteral("texts.csv"));
+    mustHold(bool(table));
+    (void)hmi::takeXliff(*table, *file, QStringLiteral("texts.xlf"));
+    (void)hmi::TextTable::parse(table->write(), QStringLiteral("texts.csv"));
+}
+
+void readDevices(const std::string& bytes) {
+    devices::DeviceFile file = devices::DeviceFile::parse(bytes);
+    (void)devices::checkDevices(file, nullptr, {});
+    mustHold(devices::DeviceFile::parse(file.text()).devices() == file.devices());
+}
+
+void readForeignTrace(const std::string& bytes) { (void)waveform::parseTable(bytes); }
+
+void readForeignProject(const std::string& bytes) {
+    if (bytes.empty()) return;
+    constexpr const char* kNames[] = {"a.xml", "a.TcPOU", "a.EXP", "a.TcTTO"};
+    const auto imported = exchange::importFrom(
+        scratch().write(kNames[static_cast<unsigned char>(bytes[0]) % std::size(kNames)], bytes.substr(1)));
+    if (imported) (void)exchange::toProject(*imported);
+}
 
 } // namespace plc::fuzz

@@ -125,6 +125,43 @@ TEST(Loaders, ProjectFilesSurviveDamage) {
 }
 TEST(Loaders, RecordingsSurviveDamage) { damageAll("recording", readRecording, {recording()}, 150, false); }
 TEST(Loaders, RetainFilesSurviveDamage) { damageAll("retain", readRetainFile, {retained()}, 1500, false); }
+TEST(Loaders, RecipesSurviveDamage) { damageAll("recipes", readRecipes, filesThatEnd("recipes.json"), 1500, true); }
+TEST(Loaders, DevicesSurviveDamage) { damageAll("devices", readDevices, filesThatEnd("devices.json"), 1500, true); }
+TEST(Loaders, PeopleSurviveDamage) {
+    const std::string people = R"({"timeout": 60, "roles": [{"name": "operator", "rights": ["operate"]}],
+        "users": [{"name": "anna", "roles": ["operator"], "language": "de", "startPanel": "main"}]})";
+    damageAll("people", readPeople, {people}, 1500, true);
+}
+TEST(Loaders, TranslationsSurviveDamage) {
+    const auto table =
+        hmi::TextTable::parse("key,comment,en,de\na,,Start,\nb,,Level %d,Stand %d\n", QStringLiteral("texts.csv"));
+    ASSERT_TRUE(table);
+    std::vector<std::string> good;
+    for (const auto version : {hmi::XliffVersion::V12, hmi::XliffVersion::V20})
+        good.push_back(hmi::writeXliff(*table, {version, "en", "de", "hmi/texts.csv"}));
+    damageAll("xliff", readTranslations, good, 1500, false);
+}
+TEST(Loaders, ForeignTracesSurviveDamage) {
+    damageAll("table", readForeignTrace,
+              {"time,level,pump\n0.0,1.5,TRUE\n0.1,1.6,FALSE\n0.2,1.7,FALSE\n", "Zeit;Druck\n0,0;1,5\n0,1;1,6\n",
+               "timestamp,a\n2024-01-01T00:00:00.000Z,1\n2024-01-01T00:00:00.100Z,2\n"},
+              1500, false);
+}
+TEST(Loaders, ForeignProjectsSurviveDamage) {
+    damageAll("foreign", readForeignProject,
+              {std::string(1, '\0') + R"(<?xml version="1.0" encoding="utf-8"?>
+<project xmlns="http://www.plcopen.org/xml/tc6_0200"><types><dataTypes/><pous><pou name="Main" pouType="program">
+<interface><localVars><variable name="x"><type><INT/></type></variable></localVars></interface>
+<body><ST><xhtml xmlns="http://www.w3.org/1999/xhtml">x := x + 1;</xhtml></ST></body></pou></pous></types>
+<instances><configurations/></instances></project>)",
+               std::string(1, '\1') + R"(<?xml version="1.0" encoding="utf-8"?>
+<TcPlcObject Version="1.1.0.1"><POU Name="Main"><Declaration><![CDATA[PROGRAM Main
+VAR x : INT; END_VAR]]></Declaration><Implementation><ST><![CDATA[x := x + 1;]]></ST></Implementation></POU></TcPlcObject>)",
+               std::string(1, '\2') +
+                   "\n(* @NESTEDCOMMENTS := 'Yes' *)\nPROGRAM Main\nVAR\n\tx: INT;\nEND_VAR\n(* @END_DECLARATION "
+                   ":= '0' *)\nx := x + 1;\nEND_PROGRAM\n"},
+              1500, false);
+}
 
 TEST(Loaders, PastFindingsReadTheSameAgain) {
     readTexts("key,comment,en\r\n \xEF\xBB\xBFkey,,\xEF\xBB\xBFword\r\n"); // a mark of byte order that is not the
