@@ -81,9 +81,9 @@ QColor StLexer::colourOf(TokenClass kind) const {
 
 void StLexer::applyTheme() {
     QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    const QFontDatabase fonts;
+    const QStringList families = QFontDatabase::families();
     for (const char* family : {"JetBrains Mono", "Noto Sans Mono", "DejaVu Sans Mono"})
-        if (fonts.families().contains(QLatin1String(family))) {
+        if (families.contains(QLatin1String(family))) {
             font = QFont(QLatin1String(family));
             break;
         }

@@ -27,7 +27,7 @@ QString fileOf(const QString& panel) { return QStringLiteral("hmi/%1.panel.json"
 /// The panels that a press on this one leads to; what is drawn in it included.
 class Ways {
 public:
-    explicit Ways(const CheckInput& input) : m_input(input), m_panels(input.panelLookup()) {}
+    explicit Ways(const CheckInput& input) : m_panels(input.panelLookup()) {}
 
     QStringList from(const Panel& panel, int depth = 0) const {
         QStringList out;
@@ -61,7 +61,6 @@ public:
 
 private:
     static constexpr int kDeepest = 8;
-    const CheckInput& m_input;
     const PanelLookup m_panels;
 };
 

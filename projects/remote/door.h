@@ -14,6 +14,27 @@ struct Rights {
     bool mayHalt = false; // breakpoints and steps
 };
 
+// What a door has not answered yet.
+struct WaitingAnswer {
+    Json answer;
+    uint64_t scans = 0; // it has been carried out when so many were made
+    std::chrono::steady_clock::time_point latest;
+};
+struct RequestedChange {
+    Json id;
+    std::future<std::shared_ptr<driver::Built>> building;
+    std::shared_ptr<std::promise<controller::OnlineChangeReport>> entered;
+    std::future<controller::OnlineChangeReport> report;
+    bool isPosted = false;
+};
+struct RequestedFile {
+    Json id;
+    std::string file;
+    std::future<Result<void>> saving;
+    uint64_t sent = 0, size = 0;
+    bool isReady = false;
+};
+
 class Door {
 public:
     /// `origin`: who it is, for the journal.
@@ -33,18 +54,6 @@ public:
     [[nodiscard]] const std::string& origin() const { return m_origin; }
 
 private:
-    struct Waiting {
-        Json answer;
-        uint64_t scans = 0; // it has been carried out when so many were made
-        std::chrono::steady_clock::time_point latest;
-    };
-    struct Change {
-        Json id;
-        std::future<std::shared_ptr<driver::Built>> building;
-        std::shared_ptr<std::promise<controller::OnlineChangeReport>> entered;
-        std::future<controller::OnlineChangeReport> report;
-        bool isPosted = false;
-    };
     Json list(const Json& request) const;
     Json values(const Json& request) const;
     Json write(const Json& request, bool isTogether);
@@ -68,7 +77,7 @@ private:
     Rights m_rights;
     std::set<std::string> m_held;
     bool m_haltsHere = false;
-    std::vector<Waiting> m_waiting;
+    std::vector<WaitingAnswer> m_waiting;
     std::vector<std::string> m_refusals;
     // who follows
     bool m_follows = false;
@@ -81,15 +90,8 @@ private:
     std::string m_stateSent;
     std::chrono::steady_clock::time_point m_stateAt{};
     // long work
-    std::optional<Change> m_change;
-    struct Fetch {
-        Json id;
-        std::string file;
-        std::future<Result<void>> saving;
-        uint64_t sent = 0, size = 0;
-        bool isReady = false;
-    };
-    std::optional<Fetch> m_fetch;
+    std::optional<RequestedChange> m_change;
+    std::optional<RequestedFile> m_fetch;
 };
 
 } // namespace plc::remote
