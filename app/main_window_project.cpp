@@ -2,17 +2,20 @@
 // project.
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
+#include "app/frame/speed_choice.h"
 #include "app/frame/status_line.h"
 #include "app/main_window.h"
 #include "app/pages/editor_tabs.h"
 #include "app/panels/live_views.h"
+#include "app/project/libraries_dialog.h"
 #include "app/project/new_project.h"
 #include "app/project/project_tree.h"
 #include "app/project/search_view.h"
 #include "app/settings/settings_dialog.h"
 #include "app/start/guide_view.h"
 #include "app/start/start_page.h"
-#include "app/start/tour.h"
+#include "app/start/studio_tour.h"
+#include "app/testing/test_log.h"
 #include "app/testing/test_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
@@ -23,8 +26,6 @@
 
 #include "stepwise_version.h"
 
-#include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -35,7 +36,6 @@
 #include <QMessageBox>
 #include <QTimer>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -231,16 +231,12 @@ void MainWindow::chooseProject() {
 }
 
 bool MainWindow::openExample(const QString& example, bool fresh) {
-    const QString name = QFileInfo(example).fileName();
-    QString copy = m_settings.projectsFolder() + "/" + name;
-    for (int i = 2; fresh && QFile::exists(copy); ++i)
-        copy = m_settings.projectsFolder() + "/" + name + "_" + QString::number(i);
-    const bool isNew = !QFile::exists(copy + "/project.json");
-    if (isNew)
-        if (auto copied = copyProject(example.toStdString(), copy.toStdString()); !copied) {
-            say(kit::messageText(copied.error()), true);
-            return false;
-        }
+    const auto copied = copyExample(example, m_settings.projectsFolder(), fresh);
+    if (!copied) {
+        say(kit::messageText(copied.error()), true);
+        return false;
+    }
+    const auto& [copy, isNew] = *copied;
     const QSize before = size(); // opening may leave the window larger until its docks have settled
     if (!openProject(copy)) return false;
     if (isNew) {
@@ -276,26 +272,10 @@ void MainWindow::arrangeForExample() {
 
 void MainWindow::chooseLibraries() {
     if (!m_workspace->isOpen()) return;
-    QDialog dialog(this);
-    dialog.setWindowTitle(tr("Libraries"));
-    auto* layout = new QVBoxLayout(&dialog);
-    std::vector<std::pair<std::string, QCheckBox*>> boxes;
-    const auto& used = m_workspace->project().libraries;
-    for (const std::string& name : driver::libraryNames()) {
-        auto* box = new QCheckBox(QString::fromStdString(name), &dialog);
-        box->setChecked(std::find(used.begin(), used.end(), name) != used.end());
-        layout->addWidget(box);
-        boxes.emplace_back(name, box);
-    }
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
-    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    layout->addWidget(buttons);
+    LibrariesDialog dialog(m_workspace->project().libraries, this);
     if (dialog.exec() != QDialog::Accepted) return;
     projects::Project project = m_workspace->project();
-    project.libraries.clear();
-    for (const auto& [name, box] : boxes)
-        if (box->isChecked()) project.libraries.push_back(name);
+    project.libraries = dialog.chosen();
     project.json["libraries"] = project.libraries;
     if (auto saved = m_workspace->saveProjectFile(project); !saved) say(kit::messageText(saved.error()), true);
 }
@@ -304,23 +284,6 @@ void MainWindow::runTests() {
     showDock("tests");
     m_tests->runAll();
 }
-
-namespace {
-void logTests(editor::EventLog& log, const testing::Report& report) {
-    for (const std::string& text : report.diagnostics) log.addMessage(QString::fromStdString(text).trimmed(), true);
-    for (const testing::TestResult& result : report.results) {
-        log.addMessage((result.passed() ? MainWindow::tr("passed: %1") : MainWindow::tr("FAILED: %1"))
-                           .arg(QString::fromStdString(result.title)),
-                       !result.passed());
-        for (const testing::Failure& failure : result.failures)
-            log.addMessage(QString("    %1:%2  %3  %4")
-                               .arg(QString::fromStdString(failure.file))
-                               .arg(failure.line)
-                               .arg(kit::messageText(failure.message), kit::messageText(failure.detail)),
-                           true);
-    }
-}
-} // namespace
 
 void MainWindow::connectTests() {
     connect(m_tests, &TestView::placeRequested, m_tabs, &EditorTabs::goToLine);
@@ -356,34 +319,9 @@ void MainWindow::openSettings() {
 }
 
 void MainWindow::setSpeed() {
-    std::vector<session::RunMode> modes;
-    for (const double factor : {0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0})
-        modes.push_back({factor == 1.0 ? session::Pace::Real : session::Pace::Factor, factor});
-    modes.push_back({session::Pace::Fastest, 1.0});
-    QStringList choices;
-    for (const session::RunMode& mode : modes)
-        choices << (mode.pace == session::Pace::Real      ? tr("Real time")
-                    : mode.pace == session::Pace::Fastest ? tr("As fast as possible")
-                                                          : StatusLine::speedText(mode));
-    const session::RunMode now = m_control->mode();
-    const auto present = std::find_if(modes.begin(), modes.end(), [&](const session::RunMode& each) {
-        return each.pace == now.pace && (each.pace != session::Pace::Factor || each.factor == now.factor);
-    });
-    if (present == modes.end()) choices << StatusLine::speedText(now);
-    bool ok = false;
-    const QString chosen =
-        QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller; any factor can be entered:"), choices,
-                              static_cast<int>(present - modes.begin()), true, &ok)
-            .trimmed();
-    if (!ok) return;
-    if (const auto index = choices.indexOf(chosen); index >= 0 && index < static_cast<int>(modes.size()))
-        return m_control->setMode(modes[static_cast<size_t>(index)]);
-    const QString number = QString(chosen).remove(QChar(0xD7)).remove('x').replace(',', '.').trimmed();
-    bool isNumber = false;
-    const double factor = number.toDouble(&isNumber);
-    if (!isNumber || !(factor >= 0.001 && factor <= 10'000))
-        return say(tr("The speed is a factor from 0.001 to 10000"), true);
-    m_control->setMode({factor == 1.0 ? session::Pace::Real : session::Pace::Factor, factor});
+    const SpeedChoice choice = chooseSpeed(this, m_control->mode());
+    if (!choice.refusal.isEmpty()) say(choice.refusal, true);
+    if (choice.mode) m_control->setMode(*choice.mode);
 }
 
 void MainWindow::setHistoryBudget() {
@@ -456,59 +394,18 @@ void MainWindow::startTour() {
     if (!m_workspace->isOpen()) {
         if (!openExample(StartPage::examplesFolder() + "/pid_pt1", false)) return;
     }
-    const auto dockWidget = [this](const char* name) { return [this, name]() -> QWidget* { return dock(name); }; };
-    const QString summary = GuideView::summaryOf(m_workspace->folder());
-    std::vector<TourStop> stops = {
-        {tr("Welcome"),
-         tr("%1 Nothing can break: the plant is only a simulation. Press Next to look around for a minute, or F5 to "
-            "run it straight away.")
-             .arg(summary.isEmpty()
-                      ? tr("This is the project %1.").arg(QString::fromStdString(m_workspace->project().name))
-                      : summary),
-         {},
-         {}},
-        {tr("What to press"),
-         tr("The page next to the program is the project's README: what it shows, what to press, what to watch."),
-         dockWidget("guide"), [this] { showDock("guide"); }},
-        {tr("The project"),
-         tr("Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder."),
-         dockWidget("project"), [this] { showDock("project"); }},
-        {tr("The program"),
-         tr("Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick "
-            "fixes; Ctrl+Space completes."),
-         [this]() -> QWidget* { return m_tabs; },
-         {}},
-        {tr("Run"), tr("F5 compiles to native code and runs it. Values then appear next to each line."),
-         [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); },
-         [this] {
-             if (!m_control->isRunning()) m_control->start();
-         }},
-        {tr("Watch"), tr("Any expression, at any moment. Prepare a value and write or force it with one click."),
-         dockWidget("watch"),
-         [this] {
-             showDock("watch");
-             if (m_watch->expressions().isEmpty()) m_watch->setExpressions(tourExpressions());
-         }},
-        {tr("The trace"),
-         tr("Nothing has to be selected in advance: every scan is recorded, and any expression can be charted "
-            "afterwards."),
-         dockWidget("trace"), [this] { showDock("trace"); }},
-        {tr("The panel"),
-         m_live->panels().panels.empty()
-             ? tr("What the operator sees. This project has no panel yet; new ones are drawn with the mouse.")
-             : tr("What the operator sees, in the languages of the machine. It works here as it will on the machine."),
-         dockWidget("panel"), [this] { showDock("panel"); }},
-        {tr("Time runs backwards, too"),
-         tr("Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” "
-            "continues from there."),
-         [this]() -> QWidget* { return findChild<QToolBar*>("timeToolBar"); },
-         {}},
-        {tr("That’s it"),
-         tr("Ctrl+Shift+P finds every command. The start page has more machines to play with."),
-         {},
-         {}},
-    };
-    auto* tour = new Tour(std::move(stops), this);
+    auto* tour = new Tour(
+        studioTour({GuideView::summaryOf(m_workspace->folder()), QString::fromStdString(m_workspace->project().name),
+                    !m_live->panels().panels.empty(), m_tabs, [this](const char* name) { return dock(name); },
+                    [this](const char* name) { return findChild<QToolBar*>(name); },
+                    [this](const char* name) { showDock(name); },
+                    [this] {
+                        if (!m_control->isRunning()) m_control->start();
+                    },
+                    [this] {
+                        if (m_watch->expressions().isEmpty()) m_watch->setExpressions(tourExpressions());
+                    }}),
+        this);
     connect(tour, &Tour::finished, this, [this, tour] {
         m_settings.setSawTour();
         tour->deleteLater();

@@ -260,6 +260,16 @@ Result<void> copyProject(const std::string& from, const std::string& to) {
     return {};
 }
 
+Result<ExampleCopy> copyExample(const QString& example, const QString& projects, bool fresh) {
+    const QString name = QFileInfo(example).fileName();
+    QString copy = projects + "/" + name;
+    for (int i = 2; fresh && QFile::exists(copy); ++i) copy = projects + "/" + name + "_" + QString::number(i);
+    const bool isNew = !QFile::exists(copy + "/project.json");
+    if (isNew)
+        if (auto copied = copyProject(example.toStdString(), copy.toStdString()); !copied) return copied.error();
+    return ExampleCopy{copy, isNew};
+}
+
 const std::vector<UnitTemplate>& unitTemplates() {
     static const std::vector<UnitTemplate> all = {
         {"program", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Program"), "program"},

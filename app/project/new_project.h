@@ -28,6 +28,12 @@ struct ProjectTemplate {
 [[nodiscard]] const std::vector<ProjectTemplate>& projectTemplates();
 /// A copy of a project without what runs and editors left beside it.
 Result<void> copyProject(const std::string& from, const std::string& to);
+struct ExampleCopy {
+    QString folder;
+    bool isNew = false;
+};
+/// The user's own copy of a shipped example in `projects`: the one made earlier, or a `fresh` one beside it.
+Result<ExampleCopy> copyExample(const QString& example, const QString& projects, bool fresh);
 /// Makes the folder with its files; refuses a folder that is not empty.
 Result<void> createProject(const std::string& folder, const std::string& name, const std::string& templateId);
 
