@@ -99,9 +99,12 @@ fuzz() { # fuzz target
     if [ "$1" = fuzz_messages ]; then # whole sessions with other editors
         seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts)
     fi
+    [ "$1" != fuzz_peers ] || seeds=(tests/fuzz/peers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
     export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0
-    exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len=8192 -print_final_stats=1 \
+    local longest=8192
+    [ "$1" != fuzz_inputs ] || longest=65536 # a recording holds the libraries' text
+    exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" -print_final_stats=1 \
         "-artifact_prefix=build/fuzz/findings/${1}_" "build/fuzz/corpus/$1" "${seeds[@]}"
 }
 
@@ -126,7 +129,7 @@ if [ "$long" = 1 ]; then
     at_once=${FUZZERS:-2}
     [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
     say "fuzz: ${FUZZ_SECONDS:-600} s each, $at_once at once; a finding lies in build/fuzz/findings"
-    part "fuzz: seven targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
-        side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change fuzz_messages fuzz_inputs
+    part "fuzz: eight targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
+        side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change fuzz_messages fuzz_inputs fuzz_peers
 fi
 say "all tests passed"

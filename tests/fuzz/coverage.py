@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TARGETS = ["fuzz_lexer", "fuzz_parser", "fuzz_check", "fuzz_run", "fuzz_change", "fuzz_messages", "fuzz_inputs"]
+TARGETS = ["fuzz_lexer", "fuzz_parser", "fuzz_check", "fuzz_run", "fuzz_change", "fuzz_messages", "fuzz_inputs", "fuzz_peers"]
 SESSIONS = ["tests/projects/language_server/scripts", "tests/projects/debug_adapter/scripts"]
 FUNCTION = re.compile(r"^(UN)?COVERED_FUNC: hits: \d+ edges: (\d+)/(\d+) (.*?) (\S+?):(\d+)(?::\d+)?$")
 
@@ -23,6 +23,8 @@ def seeds_of(target: str, corpus: pathlib.Path) -> list[str]:
     folders = [str(corpus / target)] if (corpus / target).is_dir() else []
     if target == "fuzz_messages":
         folders += SESSIONS
+    elif target == "fuzz_peers":
+        folders.append("tests/fuzz/peers")
     elif target != "fuzz_inputs":
         folders += ["tests/fuzz/seeds", "tests/fuzz/findings"]
     return folders

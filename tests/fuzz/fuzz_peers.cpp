@@ -1,6 +1,7 @@
 // What peers send over a network, byte for byte: frames to our Modbus server, MQTT payloads, requests to the door of a
 // served controller, states and scans of a server that a studio is attached to, heads of HTTP requests and messages of
-// browsers. The first byte says which; several messages are lines.
+// browsers. The first byte says which (F to L in the
+// order of kPeers); several messages are lines.
 #include "app/serve/http.h"
 #include "hmi/web/client_message.h"
 #include "projects/devices/configuration/wire.h"

@@ -17,3 +17,19 @@ for pattern in 'projects/examples/*/hmi/*.panel.json' 'projects/examples/*/hmi/t
     done
     kind=$((kind + 1))
 done
+# What no example has as a file: a recording and a retain file, made by the program of preset dev, and a few by hand.
+seed() { # kind, name: the file comes from the standard input
+    { printf "\\x$(printf %02x "$1")"; cat; } >"$2"
+}
+if [ -x build/dev/bin/stepwise ]; then
+    made=$(mktemp -d)
+    printf 'PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nVAR x : INT; END_VAR\nx := x + 1; n := n + 1;\nEND_PROGRAM\n' >"$made/main.st"
+    build/dev/bin/stepwise run "$made/main.st" --for 100ms --record "$made/a.rec" --retain "$made/a.retain" >"$made/log"
+    seed 5 "$1/seed_5_0" <"$made/a.rec"
+    seed 6 "$1/seed_6_0" <"$made/a.retain"
+    rm -r "$made"
+fi
+seed 8 "$1/seed_8_0" <<<'{"timeout": 60, "roles": [{"name": "operator"}], "users": [{"name": "anna", "roles": ["operator"], "language": "de"}]}'
+seed 9 "$1/seed_9_0" <<<'<xliff version="2.0" xmlns="urn:oasis:names:tc:xliff:document:2.0" srcLang="en" trgLang="de"><file id="f"><unit id="a"><segment><source>Start</source><target>Anfang</target></segment></unit></file></xliff>'
+seed 11 "$1/seed_11_0" <<<$'time,level,pump\n0.0,1.5,TRUE\n0.1,1.6,FALSE'
+seed 12 "$1/seed_12_0" <<<$'\x01<TcPlcObject Version="1.1.0.1"><POU Name="Main"><Declaration><![CDATA[PROGRAM Main\nVAR x : INT; END_VAR]]></Declaration><Implementation><ST><![CDATA[x := x + 1;]]></ST></Implementation></POU></TcPlcObject>'
