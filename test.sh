@@ -100,7 +100,7 @@ fuzz() { # fuzz target
         seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts)
     fi
     [ "$1" != fuzz_peers ] || seeds=(tests/fuzz/peers)
-    export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
+    export ASAN_OPTIONS=detect_leaks=1:malloc_context_size=4:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
     export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0
     local longest=8192
     [ "$1" != fuzz_inputs ] || longest=65536 # a recording holds the libraries' text

@@ -6,7 +6,8 @@ namespace plc::fuzz {
 
 void lexText(std::string_view bytes);
 void parseText(std::string_view bytes);
-/// The front end to the checked program, twice: what it says is the same, and lies in the text.
+/// The front end to the checked program: what it says lies in the text, and for some texts is the same when all is
+/// read again.
 void checkText(std::string_view bytes);
 /// Checks, compiles and runs a bounded number of scans; the controller must stay alive whatever the program does.
 void runText(std::string_view bytes);

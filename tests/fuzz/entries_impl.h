@@ -41,9 +41,30 @@ void parseText(std::string_view bytes) {
     promise(format::format(once, {}) == once);
 }
 
+inline uint32_t hashOf(std::string_view bytes) {
+    uint32_t hash = 2166136261u;
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+/// Decided by the bytes, so that a finding repeats.
+inline bool isOneOf(uint32_t number, std::string_view bytes) { return (hashOf(bytes) >> 7) % number == 0; }
+
+/// Declaring the whole standard library takes longer than checking what is fuzzed: most texts get four blocks of it.
 inline driver::BuildInput inputOf(std::string_view bytes) {
+    static const std::string fewBlocks = R"(
+FUNCTION_BLOCK R_TRIG VAR_INPUT CLK : BOOL; END_VAR VAR_OUTPUT Q : BOOL; END_VAR VAR M : BOOL; END_VAR
+Q := CLK AND NOT M; M := CLK; END_FUNCTION_BLOCK
+FUNCTION_BLOCK SR VAR_INPUT S1, R : BOOL; END_VAR VAR_OUTPUT Q1 : BOOL; END_VAR
+Q1 := S1 OR (Q1 AND NOT R); END_FUNCTION_BLOCK
+FUNCTION_BLOCK CTU VAR_INPUT CU : BOOL R_EDGE; R : BOOL; PV : INT; END_VAR VAR_OUTPUT Q : BOOL; CV : INT; END_VAR
+IF R THEN CV := 0; ELSIF CU AND CV < 32767 THEN CV := CV + 1; END_IF; Q := CV >= PV; END_FUNCTION_BLOCK
+FUNCTION_BLOCK TON VAR_INPUT IN : BOOL; PT : TIME; END_VAR VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
+VAR since : TIME; END_VAR
+IF NOT IN THEN since := TIME(); END_IF; ET := TIME() - since; Q := IN AND ET >= PT; END_FUNCTION_BLOCK
+)";
     driver::BuildInput input;
     input.files.push_back({"fuzz.st", std::string(bytes)});
+    if (!isOneOf(16, bytes)) input.libraryTexts.emplace_back("standard/few.st", fewBlocks);
     return input;
 }
 
@@ -68,7 +89,8 @@ void checkText(std::string_view bytes) {
         promise(d.range.begin <= d.range.end && d.range.end <= (*checked.sources)[d.range.file].text().size());
     }
     promise(hasErrors == checked.analysis->hasErrors);
-    promise(driver::check(inputOf(bytes)).analysis->diagnostics.size() == checked.analysis->diagnostics.size());
+    if (isOneOf(32, bytes))
+        promise(driver::check(inputOf(bytes)).analysis->diagnostics.size() == checked.analysis->diagnostics.size());
 }
 
 void runText(std::string_view bytes) {
@@ -82,9 +104,7 @@ void runText(std::string_view bytes) {
 void changeText(std::string_view bytes) {
     const driver::Built first = driver::build(inputOf(bytes));
     if (!first.program) return;
-    uint32_t seed = 2166136261u;
-    for (const char c : bytes) seed = (seed ^ static_cast<unsigned char>(c)) * 16777619u;
-    const driver::Built second = driver::build(inputOf(mutateByGrammar(bytes, bytes, seed)));
+    const driver::Built second = driver::build(inputOf(mutateByGrammar(bytes, bytes, hashOf(bytes))));
     if (!second.program) return;
     controller::Controller controller(first.program, boundedSettings());
     controller.start();
