@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
-        <translation>”{0}” skal være en tid som ”100ms” eller ”2s”, mindst {1} ms og højst en time</translation>
+        <translation>”{0}” skal være en tid som ”100ms” eller ”2s”, mindst {1}&#xa0;ms og højst en time</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
-        <translation>intet svar inden for {0} ms; kontroller kabel, adresse og enhedsnummer</translation>
+        <translation>intet svar inden for {0}&#xa0;ms; kontroller kabel, adresse og enhedsnummer</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
-        <translation>forbindelsen sluttede: {0}</translation>
+        <translation>forbindelsen blev afbrudt: {0}</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>no client has written for {0} ms; check the client and its address</source>
-        <translation>ingen klient har skrevet i {0} ms; kontroller klienten og dens adresse</translation>
+        <translation>ingen klient har skrevet i {0}&#xa0;ms; kontroller klienten og dens adresse</translation>
     </message>
     <message>
         <source>the broker rejects the connection: {0}; check the user and the password</source>
@@ -304,7 +304,7 @@
     </message>
     <message>
         <source>Unterminated string; add the closing quote</source>
-        <translation>Teksten er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
+        <translation>Strengen er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
     </message>
     <message>
         <source>This is not valid UTF-8; save the file as UTF-8</source>
@@ -831,7 +831,7 @@
     </message>
     <message>
         <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
+        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen, næste gang der gemmes?</translation>
     </message>
     <message>
         <source>Compare…</source>
@@ -843,7 +843,7 @@
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation>Behold mine</translation>
+        <translation>Behold min version</translation>
     </message>
 </context>
 <context>
@@ -873,11 +873,11 @@
     </message>
     <message>
         <source>character {0} is read from an empty string; check LEN first</source>
-        <translation>adgang til tegn {0} i en tom tekst; kontroller først LEN</translation>
+        <translation>adgang til tegn {0} i en tom streng; kontroller først LEN</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
-        <translation>tegn {0} ligger uden for {1}..{2} i teksten; brug et indeks i dette område</translation>
+        <translation>tegn {0} ligger uden for {1}..{2} i strengen; brug et indeks i dette område</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>a character of a string has no address of its own; use the whole string</source>
-        <translation>et tegn i en tekst har ingen egen adresse; brug hele teksten</translation>
+        <translation>et tegn i en streng har ingen egen adresse; brug hele strengen</translation>
     </message>
     <message>
         <source>this variable cannot be shown; assign it to another variable and watch that one</source>
@@ -1237,11 +1237,11 @@
     </message>
     <message>
         <source>This body is not an instruction list; choose a unit that is written in IL</source>
-        <translation>Denne krop er ikke en instruktionsliste; vælg en enhed, der er skrevet i IL</translation>
+        <translation>Denne krop er ikke en instruktionsliste; vælg en programenhed, der er skrevet i IL</translation>
     </message>
     <message>
         <source>This body is not ST; choose a unit that is written in ST</source>
-        <translation>Denne krop er ikke ST; vælg en enhed, der er skrevet i ST</translation>
+        <translation>Denne krop er ikke ST; vælg en programenhed, der er skrevet i ST</translation>
     </message>
     <message>
         <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
@@ -1621,11 +1621,11 @@
     </message>
     <message>
         <source>The first line must be {0} and one language tag per column</source>
-        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
+        <translation>Den første linje skal være {0} og en sprogkode pr. kolonne</translation>
     </message>
     <message>
         <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
-        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}; sæt tekster med skilletegn i anførselstegn</translation>
+        <translation>Denne linje har {0} {0:felt|felter}, overskriften har {1}; sæt tekster med skilletegn i anførselstegn</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1685,11 +1685,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
-        <translation>”{0}” passer ikke: kræver {1} px, højst {2} er mulig; gør elementet bredere eller teksten kortere</translation>
+        <translation>”{0}” passer ikke: kræver {1}&#xa0;px, men der er kun plads til {2}; gør elementet bredere eller teksten kortere</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
-        <translation>”{0}” passer ikke: kræver en højde på {1} px, højst {2} er mulig; gør elementet højere eller teksten kortere</translation>
+        <translation>”{0}” passer ikke: kræver en højde på {1}&#xa0;px, men der er kun plads til {2}; gør elementet højere eller teksten kortere</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1781,7 +1781,7 @@
     </message>
     <message>
         <source>It contains nothing that can be imported; export the project again with its units</source>
-        <translation>Der er intet i den, som kan importeres; eksporter projektet igen med dets enheder</translation>
+        <translation>Der er intet i den, som kan importeres; eksporter projektet igen med dets programenheder</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
@@ -1797,7 +1797,7 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Filen har kodningen {0}, som ikke understøttes; gem den som UTF-8</translation>
+        <translation>Filen har tegnkodningen {0}, som ikke understøttes; gem den som UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
@@ -1873,7 +1873,7 @@
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
-        <translation>Billedet {0} fylder mere end {1} MB udpakket; brug et mindre</translation>
+        <translation>Billedet {0} fylder mere end {1}&#xa0;MB udpakket; brug et mindre</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
@@ -2145,23 +2145,23 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>En skrift på {0} px kan ikke læses på {2} mm; brug mindst {1} px</translation>
+        <translation>En skrift på {0}&#xa0;px kan ikke læses på {2}&#xa0;mm; brug mindst {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>Faceplaten er så lille her, at dens mindste skrift er {0} px; på {2} mm kræves {1} px</translation>
+        <translation>Faceplaten er så lille her, at dens mindste skrift er {0}&#xa0;px; på {2}&#xa0;mm kræves {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Faceplaten er så lille her, at en finger kun har {0} px at trykke på; der kræves {1} px</translation>
+        <translation>Faceplaten er så lille her, at en finger kun har {0}&#xa0;px at trykke på; der kræves {1}&#xa0;px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2} px i begge retninger</translation>
+        <translation>{0} × {1}&#xa0;px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2}&#xa0;px i begge retninger</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for dets størrelse er {1}; flyt nogle til et andet panel</translation>
+        <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for størrelsen er {1}; flyt nogle til et andet panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2177,7 +2177,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Normale tilstande er grå, så afvigelser ses (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun tilstande farve.</translation>
+        <translation>Normale tilstande er grå, så afvigelser ses (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun farve gennem betingelser.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2185,7 +2185,7 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
-        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
+        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Farverollerne sikrer det i alle temaer.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
@@ -2201,7 +2201,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Det, der er på flere paneler, findes uden at kigge, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
+        <translation>Det, der er på flere paneler, finder operatøren uden at lede, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2213,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>Fingeren smutter og sender 500 i stedet for 50. Grænser afviser det, hvor det tastes.</translation>
+        <translation>En tastefejl sender 500 i stedet for 50. Grænser afviser den ved indtastningen.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2225,7 +2225,7 @@
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
-        <translation>Hvis alt haster, haster intet: ca. 5 % af alarmerne bør have den højeste prioritet, 15 % den næste (ISA-18.2).</translation>
+        <translation>Hvis alt haster, haster intet: ca. 5&#xa0;% af alarmerne bør have den højeste prioritet, 15&#xa0;% den næste (ISA-18.2).</translation>
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>En finger kræver 7 mm i begge retninger, i handske 9 mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
+        <translation>En finger kræver 7&#xa0;mm i begge retninger, i handske 9&#xa0;mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2425,7 +2425,7 @@
     </message>
     <message>
         <source>The picture {0} is larger than {1} MB; use a smaller one</source>
-        <translation>Billedet {0} er større end {1} MB; brug et mindre</translation>
+        <translation>Billedet {0} er større end {1}&#xa0;MB; brug et mindre</translation>
     </message>
     <message>
         <source>The faceplate does not say which panel it shows; choose one</source>
@@ -2485,7 +2485,7 @@
     </message>
     <message>
         <source>a string has one index; remove the others</source>
-        <translation>en tekst har ét indeks; fjern de andre</translation>
+        <translation>en streng har ét indeks; fjern de andre</translation>
     </message>
     <message>
         <source>a variable of type {0} has no elements; remove the index</source>
@@ -2601,7 +2601,7 @@
     </message>
     <message>
         <source>Column {0} has no language tag; write one such as de or en-GB</source>
-        <translation>Kolonne {0} har intet sprogmærke; skriv for eksempel de eller en-GB</translation>
+        <translation>Kolonne {0} har ingen sprogkode; skriv for eksempel de eller en-GB</translation>
     </message>
     <message>
         <source>This line has no key; write one in the first column</source>
@@ -2713,7 +2713,7 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Det panel, man ser først, skal sige, hvad man skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
+        <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Startpanelet skal sige, hvad man nu skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
     </message>
 </context>
 <context>
@@ -2900,7 +2900,7 @@
     </message>
     <message>
         <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskift</translation>
+        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskiftning</translation>
     </message>
     <message>
         <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
@@ -2936,7 +2936,7 @@
     </message>
     <message>
         <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>En ventil doserer i pulser og pauser, til batchen er fuldendt</translation>
+        <translation>En ventil doserer i pulser og pauser, indtil batchen er færdig</translation>
     </message>
     <message>
         <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
@@ -2944,7 +2944,7 @@
     </message>
     <message>
         <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
-        <translation>Silo, beholder, transportbånd og lastbil, styret af tre SFC-diagrammer side om side</translation>
+        <translation>Silo, beholder, transportbånd og lastbil, styret af tre parallelle SFC-diagrammer</translation>
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
@@ -2964,7 +2964,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>En niveausensor på 4 til 20 mA, tre lamper og registrering af ledningsbrud</translation>
+        <translation>En niveausensor på 4 til 20&#xa0;mA, tre lamper og registrering af ledningsbrud</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3044,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>En strøm på 4 til 20 mA bliver til et niveau, og niveauet til et volumen</translation>
+        <translation>En strøm på 4 til 20&#xa0;mA bliver til et niveau, og niveauet til et volumen</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3171,11 +3171,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende; skriv dets krop i ST</translation>
+        <translation>Diagrammet i {0} blev ikke læst: et udtryk henviser til sig selv uden ende; skriv dets krop i ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre; kald blokken før, og brug dens udgang</translation>
+        <translation>En betingelse i {0} kalder en blok, hvilket ikke er muligt i en betingelse; kald blokken før, og brug dens udgang</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3255,7 +3255,7 @@
     </message>
     <message>
         <source>The file is not a program source and was left out; import it separately if it is one</source>
-        <translation>Filen er ingen programkilde og blev udeladt; importer den alene, hvis den er en</translation>
+        <translation>Filen er ikke en programkilde og blev udeladt; importer den alene, hvis den er det</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3263,7 +3263,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Typer, som {0} har i sig selv, er erklæret her</translation>
+        <translation>Typer, der er foruddefineret i {0}, er erklæret her</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3271,19 +3271,19 @@
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
-        <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan angive; flyt den til et multiplum af dens størrelse</translation>
+        <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan adressere; flyt den til et multiplum af dens størrelse</translation>
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} rækker ud over styringen; den er erklæret her med sine indgange og udgange og gør intet</translation>
+        <translation>{0} bruger systemet uden for styringen; den er erklæret her med sine indgange og udgange, men gør intet</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden {0} foran</translation>
+        <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden præfikset {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise har selv navnene i biblioteket {0}; de skrives uden {0} foran</translation>
+        <translation>Navnene i biblioteket {0} er indbygget i Stepwise; de skrives uden præfikset {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3295,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>Dette er et ZIP-arkiv, uanset hvad det hedder; pak det ud, og importer mappen</translation>
+        <translation>Dette er et ZIP-arkiv trods navnet; pak det ud, og importer mappen</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3319,7 +3319,7 @@
     </message>
     <message>
         <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
-        <translation>Filen er ikke gyldig UTF-8 og angiver ingen anden tegnkodning; den blev læst som {0}. Hvis bogstaver er forkerte, så importér den igen med en anden tegnkodning</translation>
+        <translation>Filen er ikke gyldig UTF-8 og angiver ingen anden tegnkodning; den blev læst som {0}. Hvis bogstaver er forkerte, så importer den igen med en anden tegnkodning</translation>
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
@@ -3370,11 +3370,11 @@
     </message>
     <message>
         <source>%1: no peak, RMS %2</source>
-        <translation>%1: ingen top, RMS %2</translation>
+        <translation>%1: ingen top, effektivværdi %2</translation>
     </message>
     <message>
         <source>%1: %2, RMS %3</source>
-        <translation>%1: %2, RMS %3</translation>
+        <translation>%1: %2, effektivværdi %3</translation>
     </message>
     <message>
         <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
@@ -3819,7 +3819,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Trin</translation>
+        <translation>Trappe</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3959,7 +3959,7 @@
     </message>
     <message>
         <source>Language tag</source>
-        <translation>Sprogmærke</translation>
+        <translation>Sprogkode</translation>
     </message>
     <message>
         <source>Question to confirm</source>
@@ -4099,7 +4099,7 @@
     </message>
     <message>
         <source>Blinks when on</source>
-        <translation>Blinker når tændt</translation>
+        <translation>Blinker, når den er tændt</translation>
     </message>
     <message>
         <source>Multi-state indicator</source>
@@ -4291,7 +4291,7 @@
     </message>
     <message>
         <source>Legend</source>
-        <translation>Forklaring</translation>
+        <translation>Signaturforklaring</translation>
     </message>
     <message>
         <source>Alarm list</source>
@@ -4806,7 +4806,7 @@
     </message>
     <message>
         <source>Sensor</source>
-        <translation>Føler</translation>
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>Lamp</source>
@@ -5006,7 +5006,7 @@
     </message>
     <message>
         <source>Top and bottom</source>
-        <translation>Top og bund</translation>
+        <translation>Øverst og nederst</translation>
     </message>
     <message>
         <source>Scaling to its size</source>
@@ -5022,11 +5022,11 @@
     </message>
     <message>
         <source>Top</source>
-        <translation>Top</translation>
+        <translation>Øverst</translation>
     </message>
     <message>
         <source>Bottom</source>
-        <translation>Bund</translation>
+        <translation>Nederst</translation>
     </message>
     <message>
         <source>Locked</source>
@@ -5054,7 +5054,7 @@
     </message>
     <message>
         <source>Log out</source>
-        <translation>Log ud</translation>
+        <translation>Log af</translation>
     </message>
     <message>
         <source>Shelved alarms</source>
@@ -5507,7 +5507,7 @@
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
-        <translation>Dette stykke er ikke længere optaget, eller programmet blev ændret i det; vælg et andet</translation>
+        <translation>Dette område er ikke længere optaget, eller programmet blev ændret i det; vælg et andet</translation>
     </message>
     <message>
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
@@ -5839,7 +5839,7 @@
     </message>
     <message>
         <source>string</source>
-        <translation>tekst</translation>
+        <translation>streng</translation>
     </message>
     <message>
         <source>{0} (a constant)</source>
@@ -6053,7 +6053,7 @@
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Styringens program har ingen fil {0}; hent dens program igen</translation>
+        <translation>Styringens program har ingen fil {0}; indlæs programmet igen</translation>
     </message>
     <message>
         <source>A recording is already being downloaded; wait until it is complete</source>
@@ -6089,7 +6089,7 @@
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>Certifikatet for {0} er ikke betroet: {1}; angiv filen med det certifikat, du har tillid til</translation>
+        <translation>Der er ikke tillid til certifikatet for {0}: {1}; angiv filen med det certifikat, du har tillid til</translation>
     </message>
     <message>
         <source>The certificate cannot be read from {0}; it must be a PEM file</source>
@@ -6150,7 +6150,7 @@
     </message>
     <message>
         <source>the input is at a limit for {0} % of the time</source>
-        <translation>indgangen er ved en grænse i {0} % af tiden</translation>
+        <translation>indgangen er ved en grænse i {0}&#xa0;% af tiden</translation>
     </message>
     <message>
         <source>the output moves by only {0} times its noise</source>
@@ -6162,7 +6162,7 @@
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
-        <translation>forstyrret: ingen model forklarer mere end {0} % af det</translation>
+        <translation>forstyrret: ingen model forklarer mere end {0}&#xa0;% af det</translation>
     </message>
     <message>
         <source>usable; not at rest before it</source>
@@ -6170,7 +6170,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang manuelt, og optag det</translation>
+        <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang, og optag responsen</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6178,7 +6178,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Ingen model forklarer, hvad udgangen gør; noget andet bevæger den</translation>
+        <translation>Ingen model forklarer udgangen; noget andet påvirker den</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6194,7 +6194,7 @@
     </message>
     <message>
         <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
-        <translation>Rask: hurtig, og den svinger lidt; processen bør ikke ændre sig meget.</translation>
+        <translation>Rask: hurtig, med svage svingninger; processen bør ikke ændre sig meget.</translation>
     </message>
     <message>
         <source>Good: fast enough, and tolerant of the usual process changes.</source>
@@ -6210,7 +6210,7 @@
     </message>
     <message>
         <source>A step of the set point overshoots by {0} %.</source>
-        <translation>Et spring i setpunktet giver {0} % oversving.</translation>
+        <translation>Et spring i setpunktet giver {0}&#xa0;% oversving.</translation>
     </message>
     <message>
         <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
@@ -6358,7 +6358,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Det svinger med en periode på {0} s og en amplitude på {1}, {2} perioder i træk.</translation>
+        <translation>Det svinger med en periode på {0}&#xa0;s og en amplitude på {1}, {2} perioder i træk.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6374,15 +6374,15 @@
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
-        <translation>Den sandsynlige årsag er udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
+        <translation>Den sandsynlige årsag kommer udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
-        <translation>Udgangen er ved en grænse i {0} % af tiden.</translation>
+        <translation>Udgangen er ved en grænse i {0}&#xa0;% af tiden.</translation>
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0} % af det, måleværdien gør, er støj.</translation>
+        <translation>{0}&#xa0;% af det, måleværdien gør, er støj.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -6394,7 +6394,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen manuelt én gang, og optag det</translation>
+        <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen én gang, og optag responsen</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6474,7 +6474,7 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>ændret</translation>
+        <translation>ændring</translation>
     </message>
     <message>
         <source>from</source>
@@ -6554,7 +6554,7 @@
     </message>
     <message>
         <source>Bode plot</source>
-        <translation>Bode-diagram</translation>
+        <translation>Bodediagram</translation>
     </message>
     <message>
         <source>Set point and measured value</source>
@@ -6606,11 +6606,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>tidskonstant {0} s ± {1} s</translation>
+        <translation>tidskonstant {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>frekvens {0} rad/s ± {1} rad/s</translation>
+        <translation>frekvens {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6618,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>nulpunkt {0} s ± {1} s</translation>
+        <translation>nulpunkt {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>dødtid {0} s ± {1} s</translation>
+        <translation>dødtid {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6697,7 +6697,7 @@
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
-        <translation>Indgangen ændrer sig ikke her, så der er intet svar; vis et andet afsnit</translation>
+        <translation>Indgangen ændrer sig ikke her, så der er ingen respons; vis et andet område</translation>
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
@@ -6764,7 +6764,7 @@
     </message>
     <message>
         <source>Trusted certificate</source>
-        <translation>Betroet certifikat</translation>
+        <translation>Certifikat, du har tillid til</translation>
     </message>
     <message>
         <source>Attach</source>
@@ -6984,7 +6984,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 forespørgsler, %2 fejl, %3 ms</translation>
+        <translation>%1 forespørgsler, %2 fejl, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -6993,6 +6993,10 @@
     <message>
         <source>online: %1 of %2</source>
         <translation>online: %1 af %2</translation>
+    </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>”%1” i devices.json</translation>
     </message>
 </context>
 <context>
@@ -7455,15 +7459,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % belastning</translation>
+        <translation>%1&#xa0;µs · %2&#xa0;% belastning</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 MB optaget</translation>
+        <translation>%1&#xa0;MB optaget</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 scan, højst %2 MB</translation>
+        <translation>%1 scan, højst %2&#xa0;MB</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -8005,7 +8009,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Delete and Comment Out the Uses</source>
-        <translation>Slet, udkommenter anvendelserne</translation>
+        <translation>Slet, og udkommenter anvendelserne</translation>
     </message>
     <message>
         <source>Show the Uses</source>
@@ -8069,7 +8073,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 is encoded in %2 and will be saved in that encoding</source>
-        <translation>%1 er kodet i %2 og gemmes i den kodning</translation>
+        <translation>%1 har tegnkodningen %2 og gemmes i den</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -8437,7 +8441,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Ét program i en task på 10 ms</translation>
+        <translation>Ét program i en task på 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -8453,7 +8457,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>A temperature loop with its plant</source>
-        <translation>En temperatursløjfe med sit anlæg</translation>
+        <translation>En temperatursløjfe med tilhørende anlæg</translation>
     </message>
     <message>
         <source>Sequence</source>
@@ -8497,7 +8501,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Enter a project name</source>
-        <translation>Projektet skal have et navn</translation>
+        <translation>Angiv et projektnavn</translation>
     </message>
     <message>
         <source>%1 already exists and is not empty; choose another name</source>
@@ -8576,7 +8580,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Enter a name</source>
-        <translation>Giv den et navn</translation>
+        <translation>Angiv et navn</translation>
     </message>
     <message>
         <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
@@ -8853,7 +8857,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Text to find in all files</source>
-        <translation>Tekst at søge i alle filer</translation>
+        <translation>Tekst at søge efter i alle filer</translation>
     </message>
     <message>
         <source>Replace with</source>
@@ -8873,7 +8877,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Find</source>
-        <translation>Find</translation>
+        <translation>Søg</translation>
     </message>
     <message>
         <source>Replace All</source>
@@ -9209,7 +9213,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
@@ -9606,7 +9610,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::DeclarationTable</name>
     <message>
         <source>Section</source>
-        <translation>Sektion</translation>
+        <translation>Afsnit</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9713,11 +9717,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::FindBar</name>
     <message>
         <source>Find</source>
-        <translation>Find</translation>
+        <translation>Søg</translation>
     </message>
     <message>
         <source>Text to find</source>
-        <translation>Tekst at finde</translation>
+        <translation>Tekst at søge efter</translation>
     </message>
     <message>
         <source>Replace with</source>
@@ -9798,11 +9802,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Release selected</source>
-        <translation>Ophæv valgte</translation>
+        <translation>Ophæv forcering af de valgte</translation>
     </message>
     <message>
         <source>Release all</source>
-        <translation>Ophæv alle</translation>
+        <translation>Ophæv al forcering</translation>
     </message>
 </context>
 <context>
@@ -10178,7 +10182,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Oversat på %1 ms</translation>
+        <translation>Oversat på %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
@@ -10468,11 +10472,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Response to the set point</source>
-        <translation>Reaktion på setpunktet</translation>
+        <translation>Respons på setpunktet</translation>
     </message>
     <message>
         <source>Response to a disturbance</source>
-        <translation>Reaktion på en forstyrrelse</translation>
+        <translation>Respons på en forstyrrelse</translation>
     </message>
     <message>
         <source>Simulation with the actual block</source>
@@ -10520,7 +10524,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation>Flyttet</translation>
+        <translation>Ændring</translation>
     </message>
     <message>
         <source>From</source>
@@ -10615,7 +10619,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1, explains %2 %</source>
-        <translation>%1, forklarer %2 %</translation>
+        <translation>%1, forklarer %2&#xa0;%</translation>
     </message>
     <message>
         <source>set point</source>
@@ -10675,7 +10679,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Settling time</source>
@@ -10791,7 +10795,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Responses</source>
-        <translation>Svar</translation>
+        <translation>Responser</translation>
     </message>
     <message>
         <source>Start the controller or open a recording to search it for steps.</source>
@@ -10935,7 +10939,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
-        <translation>Tal som decimaler, hexadecimalt eller binært, eller millisekunder som tid</translation>
+        <translation>Tal decimalt, hexadecimalt eller binært, eller millisekunder som tid</translation>
     </message>
     <message>
         <source>%1 … %2</source>
@@ -11189,7 +11193,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Vertical gap</source>
-        <translation>Afstand lodret</translation>
+        <translation>Lodret afstand</translation>
     </message>
     <message>
         <source>Index step</source>
@@ -11280,7 +11284,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Meddelelse</translation>
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11324,7 +11328,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Juster centre</translation>
+        <translation>Centrer vandret</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -11336,7 +11340,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Juster midter</translation>
+        <translation>Centrer lodret</translation>
     </message>
     <message>
         <source>Align bottom</source>
@@ -11408,7 +11412,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -11488,7 +11492,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Issues</source>
-        <translation>Meddelelser</translation>
+        <translation>Problemer</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,15 +11598,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Logget af efter</translation>
+        <translation>Log af efter</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Logget af efter </translation>
+        <translation>Log af efter </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Logget af efter</translation>
+        <translation>Log af efter</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11626,7 +11630,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
-        <translation>Sæt egenskaben »Kun for rollerne« for at begrænse et element til nogle brugere.</translation>
+        <translation>Sæt egenskaben ”Kun for rollerne” for at begrænse et element til nogle brugere.</translation>
     </message>
 </context>
 <context>
@@ -11813,7 +11817,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Language tag, for example de or zh-CN</source>
-        <translation>Sprogmærke, for eksempel de eller zh-CN</translation>
+        <translation>Sprogkode, for eksempel de eller zh-CN</translation>
     </message>
     <message>
         <source>Import CSV</source>
@@ -11913,11 +11917,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation>Importér</translation>
+        <translation>Importer</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Eksportér</translation>
+        <translation>Eksporter</translation>
     </message>
     <message>
         <source>Remove language</source>
@@ -11929,7 +11933,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
-        <translation>%1 er ikke et sprogmærke; vælg et på listen, eller skriv et mærke som de eller zh-CN</translation>
+        <translation>%1 er ikke en sprogkode; vælg en på listen, eller skriv en kode som de eller zh-CN</translation>
     </message>
     <message>
         <source>The table already has %1; choose another language</source>
@@ -12740,7 +12744,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 scan gemt  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
+        <translation>%L1 scan gemt  ·  historik %2 af %3&#xa0;MB  ·  kanaler %4 af %5&#xa0;MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -12845,6 +12849,229 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt *.trace);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokol</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiveret</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Vært</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Enhedsnummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Seriel port</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paritet</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Databit</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stopbit</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Aflæsningsinterval</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tidsgrænse</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Længste pause mellem forsøg</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variabel: enheden svarer</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Klient-id</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Adgangskodefil</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-kryptering</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fil med CA-certifikater</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabel</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit i registret</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Byterækkefølge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Sti i JSON-meddelelsen</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Servicekvalitet (QoS 0 til 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Broker beholder meddelelsen (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Ved tabt forbindelse</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sikker værdi</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variabel: kanalen er gyldig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP-enhed</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU-enhed (seriel)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP-server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskret indgang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Holderegister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Inputregister (indgang)</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Behold den seneste værdi</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Brug den sikre værdi</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Stop styringen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Lige</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ulige</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Indgang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Udgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nej</translation>
     </message>
 </context>
 </TS>

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
-        <translation>„{0}“ muss eine Zeit wie „100ms“ oder „2s“ sein, mindestens {1} ms und höchstens eine Stunde</translation>
+        <translation>„{0}“ muss eine Zeit wie „100ms“ oder „2s“ sein, mindestens {1}&#xa0;ms und höchstens eine Stunde</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
-        <translation>keine Antwort innerhalb von {0} ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
+        <translation>keine Antwort innerhalb von {0}&#xa0;ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
-        <translation>die Verbindung endete: {0}</translation>
+        <translation>die Verbindung wurde beendet: {0}</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -221,15 +221,15 @@
     </message>
     <message>
         <source>{0}: the message holds no value that can be read; check what the device publishes</source>
-        <translation>{0}: die Nachricht enthält keinen lesbaren Wert; prüfen Sie, was das Gerät veröffentlicht</translation>
+        <translation>{0}: Die Nachricht enthält keinen lesbaren Wert; prüfen Sie, was das Gerät veröffentlicht</translation>
     </message>
     <message>
         <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
-        <translation>{0}: ein Wert passt nicht in die Variable; verwenden Sie einen größeren Typ oder eine Skalierung</translation>
+        <translation>{0}: Ein Wert passt nicht in die Variable; verwenden Sie einen größeren Typ oder eine Skalierung</translation>
     </message>
     <message>
         <source>no client has written for {0} ms; check the client and its address</source>
-        <translation>seit {0} ms hat kein Client geschrieben; prüfen Sie den Client und seine Adresse</translation>
+        <translation>seit {0}&#xa0;ms hat kein Client geschrieben; prüfen Sie den Client und seine Adresse</translation>
     </message>
     <message>
         <source>the broker rejects the connection: {0}; check the user and the password</source>
@@ -827,7 +827,7 @@
     </message>
     <message>
         <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
+        <translation>%1 wurde von einem anderen Programm geändert und auch hier.</translation>
     </message>
     <message>
         <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
@@ -843,7 +843,7 @@
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation>Meine behalten</translation>
+        <translation>Meine Version behalten</translation>
     </message>
 </context>
 <context>
@@ -1609,7 +1609,7 @@
     </message>
     <message>
         <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
-        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein; setzen Sie ihn in geschweifte Klammern</translation>
+        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein; setzen Sie den Eintrag in geschweifte Klammern</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1685,11 +1685,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
-        <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}; machen Sie das Element breiter oder den Text kürzer</translation>
+        <translation>„{0}“ passt nicht: benötigt {1}&#xa0;px, verfügbar sind {2}; machen Sie das Element breiter oder den Text kürzer</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
-        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}; machen Sie das Element höher oder den Text kürzer</translation>
+        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1}&#xa0;px, verfügbar sind {2}; machen Sie das Element höher oder den Text kürzer</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1773,7 +1773,7 @@
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
+        <translation>Diese Datei kann nicht importiert werden; lesbar sind PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
     </message>
     <message>
         <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
@@ -1797,7 +1797,7 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Die Datei hat die Kodierung {0}, die nicht unterstützt wird; speichern Sie sie als UTF-8</translation>
+        <translation>Die Datei hat die Codierung {0}, die nicht unterstützt wird; speichern Sie sie als UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
@@ -1825,7 +1825,7 @@
     </message>
     <message>
         <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit der Baustein Teil eines Netzwerks sein kann.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -1873,7 +1873,7 @@
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
-        <translation>Das Bild {0} wird entpackt größer als {1} MB; verwenden Sie ein kleineres</translation>
+        <translation>Das Bild {0} wird entpackt größer als {1}&#xa0;MB; verwenden Sie ein kleineres</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
@@ -2145,19 +2145,19 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Eine Schrift von {0} px ist aus {2} mm nicht lesbar; verwenden Sie mindestens {1} px</translation>
+        <translation>Eine Schrift von {0}&#xa0;px ist aus {2}&#xa0;mm nicht lesbar; verwenden Sie mindestens {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0} px hat; aus {2} mm sind {1} px nötig</translation>
+        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0}&#xa0;px hat; aus {2}&#xa0;mm sind {1}&#xa0;px nötig</translation>
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0} px bleiben; nötig sind {1} px</translation>
+        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0}&#xa0;px bleiben; nötig sind {1}&#xa0;px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
+        <translation>{0} × {1}&#xa0;px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2}&#xa0;px in beiden Richtungen</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
@@ -2177,7 +2177,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Normale Zustände sind grau, damit Abweichungen auffallen (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und geben Sie nur Zuständen Farbe.</translation>
+        <translation>Normale Zustände sind grau, damit Abweichungen auffallen (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und vergeben Sie Farben nur über Bedingungen.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2185,11 +2185,11 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
-        <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
+        <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Die Farbrollen stellen das in jedem Farbschema sicher.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
-        <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Abstand und Größe eines Pixels stehen in project.json.</translation>
+        <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Der Betrachtungsabstand und die Größe eines Pixels werden in project.json angegeben.</translation>
     </message>
     <message>
         <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
@@ -2201,7 +2201,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Was auf mehreren Panels vorkommt, findet man ohne hinzusehen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
+        <translation>Was auf mehreren Panels vorkommt, findet der Bediener ohne Suchen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2225,7 +2225,7 @@
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
-        <translation>Wenn alles dringend ist, ist es nichts: etwa 5 % der Alarme sollten die höchste Priorität haben, 15 % die nächste (ISA-18.2).</translation>
+        <translation>Wenn alles dringend ist, ist es nichts: Etwa 5&#xa0;% der Alarme sollten die höchste Priorität haben, 15&#xa0;% die nächste (ISA-18.2).</translation>
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>Ein Finger braucht 7 mm in beiden Richtungen, im Handschuh 9 mm, wie es die strenge Stufe verlangt. Die Größe eines Pixels wird in project.json angegeben.</translation>
+        <translation>Ein Finger braucht 7&#xa0;mm in beiden Richtungen, im Handschuh 9&#xa0;mm, wie es die strenge Stufe verlangt. Die Größe eines Pixels wird in project.json angegeben.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2253,11 +2253,11 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
-        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Lassen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit anzeigen.</translation>
+        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Zeigen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit.</translation>
     </message>
     <message>
         <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Ein Schreiben, das bestimmten Rollen vorbehalten oder in project.json als kritisch aufgeführt ist, darf nicht durch versehentliches Berühren ausgelöst werden. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
+        <translation>Ein Schreibvorgang, der bestimmten Rollen vorbehalten oder in project.json als kritisch aufgeführt ist, darf nicht durch versehentliches Berühren ausgelöst werden. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
     </message>
     <message>
         <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
@@ -2425,7 +2425,7 @@
     </message>
     <message>
         <source>The picture {0} is larger than {1} MB; use a smaller one</source>
-        <translation>Das Bild {0} ist größer als {1} MB; verwenden Sie ein kleineres</translation>
+        <translation>Das Bild {0} ist größer als {1}&#xa0;MB; verwenden Sie ein kleineres</translation>
     </message>
     <message>
         <source>The faceplate does not say which panel it shows; choose one</source>
@@ -2701,11 +2701,11 @@
     </message>
     <message>
         <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} ist laut project.json kritisch, doch ein einziger Druck schreibt den Wert; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} unterdrückt Alarme, doch ein einziger Druck schreibt den Wert; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
@@ -2713,7 +2713,7 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Panel, das man zuerst sieht, muss sagen, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
+        <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Startpanel muss angeben, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
     </message>
 </context>
 <context>
@@ -2944,7 +2944,7 @@
     </message>
     <message>
         <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
-        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei Schrittketten nebeneinander</translation>
+        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei parallelen Schrittketten</translation>
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
@@ -2964,7 +2964,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>Ein Füllstandsensor mit 4 bis 20 mA, drei Lampen und Drahtbrucherkennung</translation>
+        <translation>Ein Füllstandsensor mit 4 bis 20&#xa0;mA, drei Lampen und Drahtbrucherkennung</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3044,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Aus einem Strom von 4 bis 20 mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
+        <translation>Aus einem Strom von 4 bis 20&#xa0;mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3103,11 +3103,11 @@
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
+        <translation>Die Herstellerdaten {0} bleiben in exchange.json erhalten</translation>
     </message>
     <message>
         <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
+        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm bleibt in exchange.json erhalten</translation>
     </message>
     <message>
         <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
@@ -3171,11 +3171,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos; schreiben Sie seinen Rumpf in ST</translation>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck verweist endlos auf sich selbst; schreiben Sie seinen Rumpf in ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
+        <translation>Eine Bedingung in {0} ruft einen Baustein auf, was in einer Bedingung nicht möglich ist; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3255,7 +3255,7 @@
     </message>
     <message>
         <source>The file is not a program source and was left out; import it separately if it is one</source>
-        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen; importieren Sie sie einzeln, falls sie doch eine ist</translation>
+        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen; importieren Sie sie einzeln, falls sie doch einer ist</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3263,11 +3263,11 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Typen, die {0} von sich aus hat, sind hier deklariert</translation>
+        <translation>Typen, die in {0} vordefiniert sind, sind hier deklariert</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
-        <translation>{0} zählt %MW1 in Wörtern; „addressing“ in project.json sagt dasselbe</translation>
+        <translation>{0} zählt %MW1 in Wörtern; „addressing“ in project.json ist entsprechend gesetzt</translation>
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
@@ -3275,15 +3275,15 @@
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} greift über die Steuerung hinaus; hier ist er mit seinen Ein- und Ausgängen deklariert und tut nichts</translation>
+        <translation>{0} greift auf das System außerhalb der Steuerung zu; hier ist der Baustein mit seinen Ein- und Ausgängen deklariert, tut aber nichts</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne vorangestelltes {0} geschrieben</translation>
+        <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne das Präfix {0} geschrieben</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise kennt die Namen der Bibliothek {0} selbst; sie werden ohne vorangestelltes {0} geschrieben</translation>
+        <translation>Die Namen der Bibliothek {0} sind in Stepwise eingebaut; sie werden ohne das Präfix {0} geschrieben</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,15 +3295,15 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>Dies ist ein ZIP-Archiv, gleich wie die Datei heißt; entpacken Sie es und importieren Sie den Ordner</translation>
+        <translation>Trotz ihres Namens ist die Datei ein ZIP-Archiv; entpacken Sie es und importieren Sie den Ordner</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>Die Datei steht im Ordner des Projekts {0}, das sie nicht aufführt; sie wurde ausgelassen</translation>
+        <translation>Die Datei liegt im Ordner des Projekts {0}, das sie nicht aufführt; sie wurde ausgelassen</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
-        <translation>Mehrere Projekte des Ordners haben einen Baustein {0}; aus jedem wurde ein eigenes Projekt mit den Bibliotheken, die es verwendet: dieses ist {1}</translation>
+        <translation>Mehrere Projekte des Ordners haben einen Baustein {0}; aus jedem wurde ein eigenes Projekt mit den Bibliotheken, die es verwendet: Dieses ist {1}</translation>
     </message>
     <message>
         <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
@@ -3819,7 +3819,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Schritte</translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Points</source>
@@ -6053,7 +6053,7 @@
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie sein Programm erneut</translation>
+        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie das Programm erneut</translation>
     </message>
     <message>
         <source>A recording is already being downloaded; wait until it is complete</source>
@@ -6061,7 +6061,7 @@
     </message>
     <message>
         <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
-        <translation>Eine Steuerung im Dienstbetrieb kann nicht ab einem früheren Zyklus fortgesetzt werden; laden Sie ihre Aufzeichnung herunter und setzen Sie dort fort</translation>
+        <translation>Eine als Dienst laufende Steuerung kann nicht ab einem früheren Zyklus fortgesetzt werden; laden Sie ihre Aufzeichnung herunter und setzen Sie dort fort</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6150,7 +6150,7 @@
     </message>
     <message>
         <source>the input is at a limit for {0} % of the time</source>
-        <translation>der Eingang ist während {0} % der Zeit an einer Grenze</translation>
+        <translation>der Eingang ist während {0}&#xa0;% der Zeit an einer Grenze</translation>
     </message>
     <message>
         <source>the output moves by only {0} times its noise</source>
@@ -6162,7 +6162,7 @@
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
-        <translation>gestört: kein Modell erklärt mehr als {0} % davon</translation>
+        <translation>gestört: kein Modell erklärt mehr als {0}&#xa0;% davon</translation>
     </message>
     <message>
         <source>usable; not at rest before it</source>
@@ -6170,7 +6170,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie den Sollwert oder den Ausgang einmal von Hand und zeichnen Sie das auf</translation>
+        <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie einmal den Sollwert oder den Ausgang und zeichnen Sie die Antwort auf</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6178,7 +6178,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes bewegt ihn</translation>
+        <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes beeinflusst ihn</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6210,7 +6210,7 @@
     </message>
     <message>
         <source>A step of the set point overshoots by {0} %.</source>
-        <translation>Ein Sprung des Sollwerts führt zu {0} % Überschwingen.</translation>
+        <translation>Ein Sprung des Sollwerts führt zu {0}&#xa0;% Überschwingen.</translation>
     </message>
     <message>
         <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
@@ -6358,7 +6358,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Schwingt mit einer Periode von {0} s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
+        <translation>Schwingt mit einer Periode von {0}&#xa0;s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6378,11 +6378,11 @@
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
-        <translation>Der Ausgang ist während {0} % der Zeit an einer Grenze.</translation>
+        <translation>Der Ausgang ist während {0}&#xa0;% der Zeit an einer Grenze.</translation>
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
+        <translation>{0}&#xa0;% der Bewegung des Messwerts sind Rauschen.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -6394,7 +6394,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder von Hand den Ausgang, und zeichnen Sie das auf</translation>
+        <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder den Ausgang und zeichnen Sie die Antwort auf</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6454,11 +6454,11 @@
     </message>
     <message>
         <source>mean absolute error</source>
-        <translation>mittlere absolute Regeldifferenz</translation>
+        <translation>mittlere absolute Regelabweichung</translation>
     </message>
     <message>
         <source>integrated absolute error</source>
-        <translation>integrierte absolute Regeldifferenz</translation>
+        <translation>integrierte absolute Regelabweichung</translation>
     </message>
     <message>
         <source>movements of the output in an hour</source>
@@ -6474,7 +6474,7 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>verstellt</translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>from</source>
@@ -6486,7 +6486,7 @@
     </message>
     <message>
         <source>verdict</source>
-        <translation>Urteil</translation>
+        <translation>Beurteilung</translation>
     </message>
     <message>
         <source>output</source>
@@ -6530,7 +6530,7 @@
     </message>
     <message>
         <source>error after a load step</source>
-        <translation>Regeldifferenz nach Lastsprung</translation>
+        <translation>Regelabweichung nach einem Lastsprung</translation>
     </message>
     <message>
         <source>unstable</source>
@@ -6606,11 +6606,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>Zeitkonstante {0} s ± {1} s</translation>
+        <translation>Zeitkonstante {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>Frequenz {0} rad/s ± {1} rad/s</translation>
+        <translation>Frequenz {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6618,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>Nullstelle {0} s ± {1} s</translation>
+        <translation>Nullstelle {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>Totzeit {0} s ± {1} s</translation>
+        <translation>Totzeit {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6634,7 +6634,7 @@
     </message>
     <message>
         <source>usable; the output was set to its limit</source>
-        <translation>verwendbar; der Ausgang wurde auf seine Grenze gestellt</translation>
+        <translation>brauchbar; der Ausgang wurde auf seine Grenze gestellt</translation>
     </message>
     <message>
         <source>Loop health</source>
@@ -6697,7 +6697,7 @@
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
-        <translation>Der Eingang ändert sich hier nicht, daher gibt es keine Antwort; zeigen Sie einen anderen Abschnitt an</translation>
+        <translation>Der Eingang ändert sich hier nicht, daher gibt es keine Antwort; zeigen Sie einen anderen Bereich an</translation>
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
@@ -6984,7 +6984,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 Anfragen, %2 Fehler, %3 ms</translation>
+        <translation>%1 Anfragen, %2 Fehler, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -6993,6 +6993,10 @@
     <message>
         <source>online: %1 of %2</source>
         <translation>online: %1 von %2</translation>
+    </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>„%1“ in devices.json</translation>
     </message>
 </context>
 <context>
@@ -7455,15 +7459,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % Auslastung</translation>
+        <translation>%1&#xa0;µs · %2&#xa0;% Auslastung</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 MB aufgezeichnet</translation>
+        <translation>%1&#xa0;MB aufgezeichnet</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 Zyklen, höchstens %2 MB</translation>
+        <translation>%1 Zyklen, höchstens %2&#xa0;MB</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -8437,7 +8441,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Ein Programm in einer Task von 10 ms</translation>
+        <translation>Ein Programm in einer Task von 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -8497,7 +8501,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Enter a project name</source>
-        <translation>Das Projekt braucht einen Namen</translation>
+        <translation>Geben Sie einen Projektnamen ein</translation>
     </message>
     <message>
         <source>%1 already exists and is not empty; choose another name</source>
@@ -8576,7 +8580,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Enter a name</source>
-        <translation>Geben Sie einen Namen an</translation>
+        <translation>Geben Sie einen Namen ein</translation>
     </message>
     <message>
         <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
@@ -9209,7 +9213,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
@@ -9571,7 +9575,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
-        <translation>Wählen Sie den Schritt oder die Transition, nach der eingefügt wird</translation>
+        <translation>Wählen Sie einen Schritt oder eine Transition; eingefügt wird danach</translation>
     </message>
     <message>
         <source>Select the transition that gets the condition</source>
@@ -10178,7 +10182,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Übersetzt in %1 ms</translation>
+        <translation>Übersetzt in %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
@@ -10520,7 +10524,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation>Bewegt</translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>From</source>
@@ -10528,7 +10532,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>To</source>
-        <translation>Bis</translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -10615,7 +10619,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1, explains %2 %</source>
-        <translation>%1, erklärt %2 %</translation>
+        <translation>%1, erklärt %2&#xa0;%</translation>
     </message>
     <message>
         <source>set point</source>
@@ -10675,7 +10679,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Settling time</source>
@@ -11280,7 +11284,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Meldung</translation>
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11408,7 +11412,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -11488,7 +11492,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Issues</source>
-        <translation>Meldungen</translation>
+        <translation>Probleme</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,11 +11598,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Abgemeldet nach</translation>
+        <translation>Abmelden nach</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Abgemeldet nach </translation>
+        <translation>Abmelden nach </translation>
     </message>
     <message>
         <source>Logged Out After</source>
@@ -11755,7 +11759,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
-        <translation>„%1“ ist keine Zahl; eine Grenze wird zum Beispiel als 12.5 geschrieben.</translation>
+        <translation>„%1“ ist keine Zahl; ein Grenzwert wird zum Beispiel als 12.5 geschrieben.</translation>
     </message>
     <message>
         <source>A row needs a variable; Remove Row or Set takes the row away.</source>
@@ -12354,7 +12358,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Einpassen</translation>
+        <translation>Anpassen</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12721,7 +12725,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Triggered, collecting</source>
-        <translation>Ausgelöst, sammelt</translation>
+        <translation>Ausgelöst, Werte werden gesammelt</translation>
     </message>
     <message>
         <source>Triggered</source>
@@ -12740,7 +12744,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 Zyklen gespeichert  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
+        <translation>%L1 Zyklen gespeichert  ·  Historie %2 von %3&#xa0;MB  ·  Kanäle %4 von %5&#xa0;MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -12845,6 +12849,229 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt *.trace);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiviert</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Datenbits</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stoppbits</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Abfrageintervall</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Zeitlimit</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Längste Pause zwischen Versuchen</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: Gerät antwortet</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Client-ID</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Passwortdatei</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-Verschlüsselung</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Datei der CA-Zertifikate</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit des Registers</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytereihenfolge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Pfad in der JSON-Nachricht</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Dienstgüte (QoS 0 bis 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Nachricht bleibt beim Broker (Retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Bei Verbindungsverlust</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sicherer Wert</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: Kanal ist gültig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus-TCP-Gerät</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus-RTU-Gerät (seriell)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus-TCP-Server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-Broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskreter Eingang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Halteregister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Eingangsregister</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Letzten Wert behalten</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Sicheren Wert verwenden</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Steuerung anhalten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ungerade</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
     </message>
 </context>
 </TS>

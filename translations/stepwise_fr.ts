@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
-        <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse, la parité et le numéro d’unité</translation>
+        <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse de transmission, la parité et le numéro d’unité</translation>
     </message>
     <message>
         <source>the device rejects {0} {1}: {2}</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>The devices of an attached controller are connected there; detach to connect them here</source>
-        <translation>Les appareils d’un automate rattaché sont reliés là-bas&#x202f;; détachez-vous pour les connecter ici</translation>
+        <translation>Les appareils d’un automate distant sont reliés là-bas&#x202f;; déconnectez-vous pour les relier ici</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
-        <translation>{0} et {1} utilisent {2} avec un débit, une parité ou un nombre de bits différents&#x202f;; réglez les deux de la même façon</translation>
+        <translation>{0} et {1} utilisent {2} avec une vitesse, une parité ou un nombre de bits différents&#x202f;; réglez les deux de la même façon</translation>
     </message>
     <message>
         <source>{0} and {1} both set {2} {3}; give each its own</source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou unités d’organisation</translation>
+        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou POU</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -596,7 +596,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de cette unité d’organisation</translation>
+        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de ce POU</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -1601,7 +1601,7 @@
     </message>
     <message>
         <source>The kind of element {0} is not a text; write it in quotes</source>
-        <translation>Le genre de l’élément {0} n’est pas un texte&#x202f;; écrivez-le entre guillemets</translation>
+        <translation>Le type de l’élément {0} n’est pas un texte&#x202f;; écrivez-le entre guillemets</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
@@ -1677,7 +1677,7 @@
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Cette version ne connaît pas le genre d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
+        <translation>Cette version ne connaît pas le type d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
     </message>
     <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
@@ -1797,11 +1797,11 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
+        <translation>Le fichier est dans l’encodage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus&#x202f;; exportez-le de nouveau sans eux</translation>
+        <translation>Le fichier déclare un type de document ou des entités propres, ce qui n’est pas pris en charge&#x202f;; exportez-le de nouveau sans eux</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -2145,19 +2145,19 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Une police de {0}&#xa0;px n’est pas lisible à {2} mm&#x202f;; utilisez au moins {1}&#xa0;px</translation>
+        <translation>Une police de {0}&#xa0;px n’est pas lisible à {2}&#xa0;mm&#x202f;; utilisez au moins {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2} mm, il faut {1}&#xa0;px</translation>
+        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2}&#xa0;mm, il faut {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici qu’il ne reste que {0} px pour un doigt&#x202f;; il faut {1} px</translation>
+        <translation>La vue d’objet est si petite ici qu’il ne reste que {0}&#xa0;px pour un doigt&#x202f;; il faut {1}&#xa0;px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2} px dans les deux sens</translation>
+        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2}&#xa0;px dans les deux sens</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
@@ -2177,7 +2177,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Les états normaux sont gris, pour que les états anormaux ressortent (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur qu’aux états.</translation>
+        <translation>Les états normaux sont gris, pour que les états anormaux ressortent (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur que par des conditions.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2201,7 +2201,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Ce qui figure sur plusieurs vues se trouve sans regarder si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
+        <translation>Ce qui figure sur plusieurs vues se trouve sans chercher si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2213,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>Un doigt qui glisse envoie 500 au lieu de 50. Des limites le refusent à la saisie.</translation>
+        <translation>Une faute de frappe envoie 500 au lieu de 50. Des limites la refusent à la saisie.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>Un doigt demande 7 mm dans les deux sens, 9 mm avec un gant, comme l’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
+        <translation>Un doigt demande 7&#xa0;mm dans les deux sens, 9&#xa0;mm avec un gant, comme l’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2705,7 +2705,7 @@
     </message>
     <message>
         <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} masque des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
+        <translation>{0} inhibe des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
     </message>
     <message>
         <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
@@ -2713,7 +2713,7 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue que l’on voit en premier doit dire sur quoi appuyer&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
+        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue de départ doit dire sur quoi appuyer ensuite&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -2928,7 +2928,7 @@
     </message>
     <message>
         <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>Quatre convoyeurs dépilent des cartons&#x202f;; leurs réglages peuvent être copiés</translation>
+        <translation>Quatre convoyeurs déchargent des cartons de palettes&#x202f;; leurs réglages peuvent être copiés</translation>
     </message>
     <message>
         <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
@@ -2964,7 +2964,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>Un capteur de niveau de 4 à 20 mA, trois voyants et la détection de rupture de fil</translation>
+        <translation>Un capteur de niveau de 4 à 20&#xa0;mA, trois voyants et la détection de rupture de fil</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3044,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Un courant de 4 à 20 mA devient un niveau, et le niveau un volume</translation>
+        <translation>Un courant de 4 à 20&#xa0;mA devient un niveau, et le niveau un volume</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3091,7 +3091,7 @@
     <name>Exchange</name>
     <message>
         <source>The file is written in {0}</source>
-        <translation>Le fichier est codé en {0}</translation>
+        <translation>Le fichier est encodé en {0}</translation>
     </message>
     <message>
         <source>The file was not read: {0}</source>
@@ -3171,11 +3171,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin&#x202f;; écrivez son corps en ST</translation>
+        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se réfère à elle-même sans fin&#x202f;; écrivez son corps en ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
+        <translation>Une condition dans {0} appelle un bloc, ce qui n’est pas possible dans une condition&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3263,7 +3263,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Les types que {0} possède de lui-même sont déclarés ici</translation>
+        <translation>Les types prédéfinis de {0} sont déclarés ici</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3271,19 +3271,19 @@
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
-        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer&#x202f;; déplacez-la à un multiple de sa taille</translation>
+        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas adresser&#x202f;; déplacez-la à un multiple de sa taille</translation>
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} agit hors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties et ne fait rien</translation>
+        <translation>{0} accède au système en dehors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties, mais ne fait rien</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans {0} devant</translation>
+        <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans le préfixe {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise possède lui-même les noms de la bibliothèque {0}&#x202f;; ils sont écrits sans {0} devant</translation>
+        <translation>Les noms de la bibliothèque {0} sont intégrés à Stepwise&#x202f;; ils sont écrits sans le préfixe {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3295,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>C’est une archive ZIP, quel que soit son nom&#x202f;; décompressez-la et importez le dossier</translation>
+        <translation>Malgré son nom, c’est une archive ZIP&#x202f;; décompressez-la et importez le dossier</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3819,7 +3819,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Pas</translation>
+        <translation>Paliers</translation>
     </message>
     <message>
         <source>Points</source>
@@ -5138,7 +5138,7 @@
     </message>
     <message>
         <source>Damper</source>
-        <translation>Clapet</translation>
+        <translation>Registre</translation>
     </message>
     <message>
         <source>Building</source>
@@ -5385,7 +5385,7 @@
     </message>
     <message>
         <source>it does not run</source>
-        <translation>ne tourne pas</translation>
+        <translation>n’est pas en marche</translation>
     </message>
     <message>
         <source>it has run {0} of {1}, {2} to go</source>
@@ -6170,7 +6170,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie en manuel et enregistrez cela</translation>
+        <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie et enregistrez la réponse</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6178,7 +6178,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Aucun modèle n’explique le comportement de la sortie&#x202f;; autre chose la fait bouger</translation>
+        <translation>Aucun modèle n’explique la sortie&#x202f;; autre chose agit sur elle</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6358,7 +6358,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Oscille avec une période de {0} s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
+        <translation>Oscille avec une période de {0}&#xa0;s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6486,7 +6486,7 @@
     </message>
     <message>
         <source>verdict</source>
-        <translation>verdict</translation>
+        <translation>évaluation</translation>
     </message>
     <message>
         <source>output</source>
@@ -6606,11 +6606,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>constante de temps {0} s ± {1} s</translation>
+        <translation>constante de temps {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>fréquence {0} rad/s ± {1} rad/s</translation>
+        <translation>fréquence {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6618,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>zéro {0} s ± {1} s</translation>
+        <translation>zéro {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>temps mort {0} s ± {1} s</translation>
+        <translation>temps mort {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6697,7 +6697,7 @@
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
-        <translation>L’entrée ne varie pas ici, il n’y a donc pas de réponse&#x202f;; affichez une autre section</translation>
+        <translation>L’entrée ne varie pas ici, il n’y a donc pas de réponse&#x202f;; affichez une autre plage</translation>
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
@@ -6994,6 +6994,10 @@
         <source>online: %1 of %2</source>
         <translation>en ligne&#xa0;: %1 sur %2</translation>
     </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>«&#xa0;%1&#xa0;» dans devices.json</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::EditorTabs</name>
@@ -7217,7 +7221,7 @@ Non conservés&#xa0;: %3</translation>
     </message>
     <message>
         <source>program units</source>
-        <translation>unités d’organisation</translation>
+        <translation>POU</translation>
     </message>
     <message>
         <source>data types</source>
@@ -7272,7 +7276,7 @@ Non conservés&#xa0;: %3</translation>
     <name>plc::app::InsideViews</name>
     <message>
         <source>Coverage of the latest %1 of %2 recorded scans</source>
-        <translation>Couverture des %1 derniers cycles sur %2 de l’enregistrement</translation>
+        <translation>Couverture des %1 derniers cycles sur %2 enregistrés</translation>
     </message>
     <message>
         <source>There is no recording yet: run the program first.</source>
@@ -8045,7 +8049,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme problèmes&#xa0;: %1</translation>
+        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme erreurs&#xa0;: %1</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -8359,11 +8363,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Take Over</source>
-        <translation>Reprendre</translation>
+        <translation>Adopter</translation>
     </message>
     <message>
         <source>Take Over All</source>
-        <translation>Tout reprendre</translation>
+        <translation>Tout adopter</translation>
     </message>
     <message>
         <source>Here (this text is kept)</source>
@@ -8673,7 +8677,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>More: choose in the watch</source>
-        <translation>Autres : choisir dans la fenêtre de surveillance</translation>
+        <translation>Autres&#xa0;: choisir dans la fenêtre de surveillance</translation>
     </message>
     <message>
         <source>Project</source>
@@ -10500,7 +10504,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Take Back</source>
-        <translation>Revenir en arrière</translation>
+        <translation>Restaurer</translation>
     </message>
     <message>
         <source>Writes the parameters that were in force before.</source>
@@ -10520,7 +10524,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Moved</source>
-        <translation>Modifié</translation>
+        <translation>Variation</translation>
     </message>
     <message>
         <source>From</source>
@@ -10727,7 +10731,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Taken back: %1</source>
-        <translation>Annulé&#xa0;: %1</translation>
+        <translation>Restauré&#xa0;: %1</translation>
     </message>
     <message>
         <source>Residuals of the model</source>
@@ -11265,7 +11269,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::hmi::Palette</name>
     <message>
         <source>Search elements</source>
-        <translation>Rechercher</translation>
+        <translation>Rechercher des éléments</translation>
     </message>
     <message>
         <source>Faceplates</source>
@@ -11280,7 +11284,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Message</translation>
+        <translation>Problème</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11324,7 +11328,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Aligner les centres</translation>
+        <translation>Centrer horizontalement</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -11336,7 +11340,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Aligner les milieux</translation>
+        <translation>Centrer verticalement</translation>
     </message>
     <message>
         <source>Align bottom</source>
@@ -11488,7 +11492,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Issues</source>
-        <translation>Messages</translation>
+        <translation>Problèmes</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,15 +11598,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Déconnecté après</translation>
+        <translation>Déconnexion après</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Déconnecté après </translation>
+        <translation>Déconnexion après </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Déconnecté après</translation>
+        <translation>Déconnexion après</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11659,11 +11663,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Add a Set</source>
-        <translation>Ajouter un jeu</translation>
+        <translation>Ajouter un jeu de valeurs</translation>
     </message>
     <message>
         <source>Remove Row or Set</source>
-        <translation>Retirer la ligne ou le jeu</translation>
+        <translation>Retirer la ligne ou le jeu de valeurs</translation>
     </message>
     <message>
         <source>Remove Recipe</source>
@@ -11687,7 +11691,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Variables and sets of the recipe</source>
-        <translation>Variables et jeux de la recette</translation>
+        <translation>Variables et jeux de valeurs de la recette</translation>
     </message>
     <message>
         <source>Rename Recipe</source>
@@ -11695,7 +11699,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Rename Set</source>
-        <translation>Renommer le jeu</translation>
+        <translation>Renommer le jeu de valeurs</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -11703,7 +11707,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Remove Set</source>
-        <translation>Retirer le jeu</translation>
+        <translation>Retirer le jeu de valeurs</translation>
     </message>
     <message>
         <source>Remove Row</source>
@@ -11711,7 +11715,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Add a recipe, then its variables, then a set for each product.</source>
-        <translation>Ajoutez une recette, puis ses variables, puis un jeu pour chaque produit.</translation>
+        <translation>Ajoutez une recette, puis ses variables, puis un jeu de valeurs pour chaque produit.</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -11759,7 +11763,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>A row needs a variable; Remove Row or Set takes the row away.</source>
-        <translation>Une ligne doit avoir une variable&#x202f;; «&#xa0;Retirer la ligne ou le jeu&#xa0;» la supprime.</translation>
+        <translation>Une ligne doit avoir une variable&#x202f;; «&#xa0;Retirer la ligne ou le jeu de valeurs&#xa0;» la supprime.</translation>
     </message>
     <message>
         <source>%1 is already in the recipe; choose another variable.</source>
@@ -11817,7 +11821,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Import CSV</source>
-        <translation>Importer un CSV</translation>
+        <translation>Importer un fichier CSV</translation>
     </message>
     <message>
         <source>Text tables (*.csv *.txt)</source>
@@ -11929,7 +11933,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
-        <translation>%1 n’est pas un code de langue&#x202f;; choisissez-en un dans la liste ou saisissez un code tel que de ou zh-CN</translation>
+        <translation>%1 n’est pas une étiquette de langue&#x202f;; choisissez-en une dans la liste ou saisissez une étiquette telle que de ou zh-CN</translation>
     </message>
     <message>
         <source>The table already has %1; choose another language</source>
@@ -12354,7 +12358,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Ajustement</translation>
+        <translation>Ajuster</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12845,6 +12849,229 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt *.trace);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Activé</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Hôte</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Numéro d’unité</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Vitesse de transmission</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parité</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de données</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits d’arrêt</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalle de scrutation</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Délai d’attente</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pause maximale entre les tentatives</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable&#xa0;: l’appareil répond</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identifiant du client</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Fichier du mot de passe</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Chiffrement TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fichier des certificats de l’AC</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit du registre</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Ordre des octets</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Chemin dans le message JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Qualité de service (QoS 0 à 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Message conservé par le broker (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>En cas de perte de connexion</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valeur sûre</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable&#xa0;: la voie est valide</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Appareil Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Appareil Modbus RTU (série)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Serveur Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobine (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrée discrète</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registre de maintien</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Garder la dernière valeur</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Utiliser la valeur sûre</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Arrêter l’automate</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impaire</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
     </message>
 </context>
 </TS>

@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
-        <translation>没有字段“{0}”；您是指“{1}”吗？</translation>
+        <translation>没有字段“{0}”；是否指“{1}”？</translation>
     </message>
     <message>
         <source>There are two devices named {0}; rename one</source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>嵌套过深，无法编译；请拆分为多条语句或多个程序组织单元</translation>
+        <translation>嵌套过深，无法编译；请拆分为多条语句或多个 POU</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -596,7 +596,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>没有标号 {0}；请在此程序组织单元的一条语句前写上标号和冒号</translation>
+        <translation>没有标号 {0}；请在此 POU 的一条语句前写上标号和冒号</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
-        <translation>监视和变量连接不能有副作用，因此不允许使用 {0}；请在程序中执行</translation>
+        <translation>监视和变量绑定不能有副作用，因此不允许使用 {0}；请在程序中执行</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address; assign the value to a variable first</source>
@@ -1237,11 +1237,11 @@
     </message>
     <message>
         <source>This body is not an instruction list; choose a unit that is written in IL</source>
-        <translation>此主体不是指令表；请选择用 IL 编写的程序组织单元</translation>
+        <translation>此主体不是指令表；请选择用 IL 编写的 POU</translation>
     </message>
     <message>
         <source>This body is not ST; choose a unit that is written in ST</source>
-        <translation>此主体不是 ST；请选择用 ST 编写的程序组织单元</translation>
+        <translation>此主体不是 ST；请选择用 ST 编写的 POU</translation>
     </message>
     <message>
         <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
@@ -1781,7 +1781,7 @@
     </message>
     <message>
         <source>It contains nothing that can be imported; export the project again with its units</source>
-        <translation>其中没有可导入的内容；请将项目连同其程序组织单元重新导出</translation>
+        <translation>其中没有可导入的内容；请将项目连同其 POU 重新导出</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
@@ -1801,7 +1801,7 @@
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>文件声明了自己的文档类型或实体，无法读取；请去掉后重新导出</translation>
+        <translation>文件声明了自己的文档类型或实体，这不受支持；请去掉后重新导出</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -2105,7 +2105,7 @@
     </message>
     <message>
         <source>There is no rule {0}; did you mean {1}?</source>
-        <translation>没有规则 {0}；您是指 {1} 吗？</translation>
+        <translation>没有规则 {0}；是否指 {1}？</translation>
     </message>
     <message>
         <source>The rule stays on until a reason for switching it off is given</source>
@@ -2177,7 +2177,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>正常状态为灰色，以便发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，只为状态着色。</translation>
+        <translation>正常状态为灰色，以便发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，并只通过条件着色。</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2193,7 +2193,7 @@
     </message>
     <message>
         <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
-        <translation>在显示所有内容的画面上，操作员必须查找。请把细节移到下一级画面 (ISA-101)。</translation>
+        <translation>在显示所有内容的画面上，操作员不得不寻找信息。请把细节移到下一级画面 (ISA-101)。</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
@@ -2201,7 +2201,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>多个画面上的同一内容若总在同一位置，不看也能找到。请放在框架上，或在各处放在同一位置。</translation>
+        <translation>多个画面上的同一内容若总在同一位置，操作员无需寻找即可看到。请放在框架上，或在各处放在同一位置。</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2213,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>手指一滑就可能把 50 输成 500。限值会在输入时拒绝它。</translation>
+        <translation>输入失误会把 50 写成 500。限值会在输入时拒绝它。</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2221,7 +2221,7 @@
     </message>
     <message>
         <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
-        <translation>报警要求操作员采取动作。其帮助应说明是哪一个动作，以及否则会发生什么 (ISA-18.2)。</translation>
+        <translation>报警要求操作员采取措施。其帮助必须说明该怎么做，以及不处理会发生什么 (ISA-18.2)。</translation>
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
@@ -2245,7 +2245,7 @@
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
-        <translation>没有绑定；请填写“{0}”</translation>
+        <translation>尚未绑定任何变量；请填写“{0}”</translation>
     </message>
     <message>
         <source>Any number can be written to {0}; set “{1}”</source>
@@ -2413,7 +2413,7 @@
     </message>
     <message>
         <source>Two sets of the recipe are named {0}; rename one</source>
-        <translation>配方的两组数据名为 {0}；请重命名其中一个</translation>
+        <translation>配方的两个数据组名为 {0}；请重命名其中一个</translation>
     </message>
     <message>
         <source>The alarm has no condition; enter one</source>
@@ -2653,7 +2653,7 @@
     </message>
     <message>
         <source>A set of a recipe has no name; give it one</source>
-        <translation>配方的一组数据没有名称；请为其命名</translation>
+        <translation>配方的一个数据组没有名称；请为其命名</translation>
     </message>
     <message>
         <source>The recipe has the variable {0} twice; remove one of the two</source>
@@ -2665,7 +2665,7 @@
     </message>
     <message>
         <source>There is no alarm class {0}; add it or choose another one</source>
-        <translation>没有报警类别 {0}；请添加或选择其他类</translation>
+        <translation>没有报警类别 {0}；请添加或选择其他类别</translation>
     </message>
     <message>
         <source>No panel and no alarm uses the key {0}; use it or remove it</source>
@@ -2713,7 +2713,7 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。最先看到的画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
+        <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。起始画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
     </message>
 </context>
 <context>
@@ -2776,7 +2776,7 @@
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>带复位和使能的计时器</translation>
+        <translation>带复位和使能的小时计</translation>
     </message>
     <message>
         <source>Hourly production</source>
@@ -2784,7 +2784,7 @@
     </message>
     <message>
         <source>Item counter and meters</source>
-        <translation>工件与计量表</translation>
+        <translation>工件计数器与计量表</translation>
     </message>
     <message>
         <source>Level lamps</source>
@@ -2924,15 +2924,15 @@
     </message>
     <message>
         <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>传送带把工件送到右侧，等待十秒后送回</translation>
+        <translation>输送带把工件送到右侧，等待十秒后送回</translation>
     </message>
     <message>
         <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>四条传送带从托盘卸下箱子，设置可互相复制</translation>
+        <translation>四条输送带从托盘卸下箱子，设置可互相复制</translation>
     </message>
     <message>
         <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>区域供热的采暖和热水，带防冻和夏季模式</translation>
+        <translation>集中供热网络的采暖和热水，带防冻和夏季模式</translation>
     </message>
     <message>
         <source>A valve doses in pulses and pauses until the batch is complete</source>
@@ -2944,7 +2944,7 @@
     </message>
     <message>
         <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
-        <translation>料仓、料斗、传送带和卡车，由三个并行的顺序功能图控制</translation>
+        <translation>料仓、料斗、输送带和卡车，由三个并行的顺序功能图控制</translation>
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
@@ -2952,11 +2952,11 @@
     </message>
     <message>
         <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
-        <translation>可装载、启用和保持的计时器，曲线呈锯齿形</translation>
+        <translation>可装载、启用和保持的小时计，曲线呈锯齿形</translation>
     </message>
     <message>
         <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>压机生产工件，表格统计每小时的数量</translation>
+        <translation>压力机生产工件，表格统计每小时的数量</translation>
     </message>
     <message>
         <source>Counts items, energy and water; the counts survive a power failure</source>
@@ -2976,7 +2976,7 @@
     </message>
     <message>
         <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>称量液体，传送带送来两块料，然后搅拌并倾倒</translation>
+        <translation>称量液体，输送带送来两块料，然后搅拌并倾倒</translation>
     </message>
     <message>
         <source>Start, stop and a latching contactor, written in five ways that agree</source>
@@ -3024,7 +3024,7 @@
     </message>
     <message>
         <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
-        <translation>按液位和运行时间启停六台泵，来水模拟城市的一天</translation>
+        <translation>按液位和运行小时数启停六台泵，进水按城镇一天的变化模拟</translation>
     </message>
     <message>
         <source>A rotary switch selects the speed of a motor, a number what a module does</source>
@@ -3171,11 +3171,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>{0} 中的图未读取：表达式无限重复；请用 ST 编写其主体</translation>
+        <translation>{0} 中的图未读取：表达式无限引用自身；请用 ST 编写其主体</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>{0} 中的条件需要调用块，而条件不能这样做；请先调用该块，再使用其输出</translation>
+        <translation>{0} 中的条件调用了块，而条件不能调用块；请先调用该块，再使用其输出</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3227,7 +3227,7 @@
     </message>
     <message>
         <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>版本 0201 没有联合；{0} 已略去</translation>
+        <translation>版本 0201 没有联合体；{0} 已略去</translation>
     </message>
     <message>
         <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
@@ -3263,7 +3263,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>{0} 自带的类型在此处声明</translation>
+        <translation>{0} 预定义的类型在此处声明</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3275,15 +3275,15 @@
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} 涉及控制器之外；此处只声明其输入和输出，不执行任何操作</translation>
+        <translation>{0} 访问控制器之外的系统；此处声明其输入和输出，但不执行任何操作</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>库 {0} 是此次导入的一部分；其名称前不写 {0}</translation>
+        <translation>库 {0} 是此次导入的一部分；其名称不带前缀 {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise 自身已有库 {0} 中的名称；书写时前面不带 {0}</translation>
+        <translation>库 {0} 的名称已内置于 Stepwise；书写时不带前缀 {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3295,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>无论文件名是什么，这都是 ZIP 压缩包；请解压后导入文件夹</translation>
+        <translation>尽管名称如此，此文件是 ZIP 压缩包；请解压后导入文件夹</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3323,7 +3323,7 @@
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>宏步 {0} 已替换为其中的各步；名称已被使用的步前面加上了 {0}</translation>
+        <translation>宏步 {0} 已替换为其中的各步；名称已被使用的步加上了前缀 {0}</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
@@ -3770,15 +3770,15 @@
     </message>
     <message>
         <source>Move right by</source>
-        <translation>向右移动</translation>
+        <translation>右移量</translation>
     </message>
     <message>
         <source>Move down by</source>
-        <translation>向下移动</translation>
+        <translation>下移量</translation>
     </message>
     <message>
         <source>Rotate by</source>
-        <translation>旋转</translation>
+        <translation>旋转量</translation>
     </message>
     <message>
         <source>Fixed language</source>
@@ -3818,7 +3818,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>步</translation>
+        <translation>阶梯</translation>
     </message>
     <message>
         <source>Points</source>
@@ -4162,7 +4162,7 @@
     </message>
     <message>
         <source>Siren if</source>
-        <translation>蜂鸣条件</translation>
+        <translation>蜂鸣器条件</translation>
     </message>
     <message>
         <source>Float switch</source>
@@ -5510,11 +5510,11 @@
     </message>
     <message>
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
-        <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验设置</translation>
+        <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验参数</translation>
     </message>
     <message>
         <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
-        <translation>调用中含有常量；只能在运行中控制器的记录上试用替代它们的设置</translation>
+        <translation>调用中含有常量；只能在运行中控制器的记录上试用替代它们的参数</translation>
     </message>
 </context>
 <context>
@@ -6016,7 +6016,7 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation>稳定时间</translation>
+        <translation>调节时间</translation>
     </message>
 </context>
 <context>
@@ -6087,7 +6087,7 @@
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>{0} 的证书不受信任：{1}；请指定您信任的证书文件</translation>
+        <translation>{0} 的证书不受信任：{1}；请指定所信任的证书文件</translation>
     </message>
     <message>
         <source>The certificate cannot be read from {0}; it must be a PEM file</source>
@@ -6144,7 +6144,7 @@
     </message>
     <message>
         <source>usable</source>
-        <translation>可使用</translation>
+        <translation>可用</translation>
     </message>
     <message>
         <source>the input is at a limit for {0} % of the time</source>
@@ -6164,11 +6164,11 @@
     </message>
     <message>
         <source>usable; not at rest before it</source>
-        <translation>可使用；之前尚未稳定</translation>
+        <translation>可用；之前尚未稳定</translation>
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>记录中没有阶跃或扰动；请手动改变一次设定值或输出并记录</translation>
+        <translation>记录中没有阶跃或扰动；请改变一次设定值或输出，并记录响应</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6184,7 +6184,7 @@
     </message>
     <message>
         <source>Unstable: the oscillation would grow. Do not use these settings.</source>
-        <translation>不稳定：振荡会不断增大。请勿使用这些设置。</translation>
+        <translation>不稳定：振荡会不断增大。请勿使用这些参数。</translation>
     </message>
     <message>
         <source>Fragile: a small change of the process makes it oscillate.</source>
@@ -6364,15 +6364,15 @@
     </message>
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
-        <translation>设置可能是原因：按模型，回路以此周期振荡。</translation>
+        <translation>原因可能是参数设置：按模型，回路会以此周期振荡。</translation>
     </message>
     <message>
         <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>阀门卡涩可能是原因：输出平稳变化，而过程以跳变响应。</translation>
+        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
-        <translation>可能的原因在外部：设置和阀门卡涩都无法解释。</translation>
+        <translation>可能的原因在外部：参数设置和阀门卡涩都无法解释。</translation>
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
@@ -6392,7 +6392,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请手动改变一次设定值或输出并记录下来</translation>
+        <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请改变一次设定值或输出，并记录响应</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6432,7 +6432,7 @@
     </message>
     <message>
         <source>Settings</source>
-        <translation>设置</translation>
+        <translation>参数设置</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -6476,15 +6476,15 @@
     </message>
     <message>
         <source>from</source>
-        <translation>从</translation>
+        <translation>起始值</translation>
     </message>
     <message>
         <source>to</source>
-        <translation>到</translation>
+        <translation>终值</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation>判定</translation>
+        <translation>评价</translation>
     </message>
     <message>
         <source>output</source>
@@ -6620,15 +6620,15 @@
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>死区时间 {0} s ± {1} s</translation>
+        <translation>纯滞后 {0} s ± {1} s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
-        <translation>上升增益为 {0}，下降增益为 {1}；设置按 {2} 计算。</translation>
+        <translation>上升增益为 {0}，下降增益为 {1}；参数按 {2} 计算。</translation>
     </message>
     <message>
         <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
-        <translation>增益取决于工作点：测量值约为 {1} 时为 {0}，约为 {3} 时为 {2}；设置按 {4} 计算。若只针对一个范围，请只选择该范围的阶跃。</translation>
+        <translation>增益取决于工作点：测量值约为 {1} 时为 {0}，约为 {3} 时为 {2}；参数按 {4} 计算。若只针对一个范围，请只选择该范围的阶跃。</translation>
     </message>
     <message>
         <source>usable; the output was set to its limit</source>
@@ -6991,6 +6991,10 @@
         <source>online: %1 of %2</source>
         <translation>在线：%1 / %2</translation>
     </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>devices.json 中的“%1”</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::EditorTabs</name>
@@ -7211,7 +7215,7 @@ Not kept: %3</source>
     </message>
     <message>
         <source>program units</source>
-        <translation>程序组织单元</translation>
+        <translation>POU</translation>
     </message>
     <message>
         <source>data types</source>
@@ -7429,7 +7433,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>HALT</source>
-        <translation>中断</translation>
+        <translation>断点停止</translation>
     </message>
     <message>
         <source>FAULT</source>
@@ -8037,7 +8041,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>这些画面会跳转到它；其按钮将报告为问题：%1</translation>
+        <translation>这些画面会跳转到它；其按钮将报告为错误：%1</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -8069,7 +8073,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>This is your copy of the example, in %1</source>
-        <translation>这是您的示例副本，位于 %1</translation>
+        <translation>这是该示例的副本，位于 %1</translation>
     </message>
     <message>
         <source>The project is still being checked; try again in a moment</source>
@@ -9219,7 +9223,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <name>plc::app::Tour</name>
     <message>
         <source>Back</source>
-        <translation>后退</translation>
+        <translation>上一步</translation>
     </message>
     <message>
         <source>Next</source>
@@ -10501,19 +10505,19 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>At</source>
-        <translation>时间</translation>
+        <translation>时刻</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation>变动量</translation>
+        <translation>变化量</translation>
     </message>
     <message>
         <source>From</source>
-        <translation>从</translation>
+        <translation>起始值</translation>
     </message>
     <message>
         <source>To</source>
-        <translation>到</translation>
+        <translation>终值</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -10663,7 +10667,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Settling time</source>
-        <translation>稳定时间</translation>
+        <translation>调节时间</translation>
     </message>
     <message>
         <source>Error after a load step</source>
@@ -10763,11 +10767,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>The recorded disturbance with these settings</source>
-        <translation>使用这些设置时记录的扰动</translation>
+        <translation>使用这些参数时记录的扰动</translation>
     </message>
     <message>
         <source>The recorded step with these settings</source>
-        <translation>使用这些设置时记录的阶跃</translation>
+        <translation>使用这些参数时记录的阶跃</translation>
     </message>
     <message>
         <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
@@ -10819,7 +10823,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
-        <translation>将回路报告（含模型和设置）保存为 HTML 或 PDF。</translation>
+        <translation>将回路报告（含模型和参数设置）保存为 HTML 或 PDF。</translation>
     </message>
     <message>
         <source>Health</source>
@@ -11578,15 +11582,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>自动注销时间</translation>
+        <translation>自动退出登录时间</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>自动注销时间 </translation>
+        <translation>自动退出登录时间 </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>自动注销时间</translation>
+        <translation>自动退出登录时间</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -12333,7 +12337,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Fit</source>
-        <translation>适应方式</translation>
+        <translation>适应</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12405,7 +12409,7 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Resumed from here
 %1</source>
-        <translation>从此处继续
+        <translation>已从此处继续
 %1</translation>
     </message>
 </context>
@@ -12520,7 +12524,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Zoom back</source>
-        <translation>返回缩放</translation>
+        <translation>返回上一缩放</translation>
     </message>
     <message>
         <source>Back to the view before (Backspace)</source>
@@ -12823,6 +12827,229 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>记录和表格 (*.rec *.csv *.tsv *.txt *.trace);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>启用</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>奇偶校验</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>数据位</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>停止位</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>轮询间隔</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>超时时间</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>重试的最长间隔</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>变量：设备有应答</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>客户端标识</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>密码文件</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS 加密</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>CA 证书文件</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>寄存器的位</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>字节顺序</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>JSON 消息中的路径</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>服务质量（QoS 0 到 2）</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>保留消息 (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>连接断开时</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>安全值</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>变量：通道有效</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP 设备</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU 设备（串行）</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP 服务器</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>离散输入</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>保持寄存器</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>输入寄存器</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>保持最后的值</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>使用安全值</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>停止控制器</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
     </message>
 </context>
 </TS>
