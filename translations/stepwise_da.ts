@@ -1213,7 +1213,7 @@
     </message>
     <message>
         <source>The code generator produced an invalid module: {0}</source>
-        <translation>Kodegeneratoren lavede et ugyldigt modul: {0}</translation>
+        <translation>Kodegeneratoren dannede et ugyldigt modul: {0}</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -3927,7 +3927,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Farve kørende</translation>
+        <translation>Farve (kørende)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +3971,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Farve lysende</translation>
+        <translation>Farve (lysende)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -3983,11 +3983,11 @@
     </message>
     <message>
         <source>Text on</source>
-        <translation>Tekst til</translation>
+        <translation>Tekst (til)</translation>
     </message>
     <message>
         <source>Text off</source>
-        <translation>Tekst fra</translation>
+        <translation>Tekst (fra)</translation>
     </message>
     <message>
         <source>Colour on</source>
@@ -4175,11 +4175,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Farve løftet</translation>
+        <translation>Farve (løftet)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Farve hængende</translation>
+        <translation>Farve (hængende)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -5185,7 +5185,7 @@
     </message>
     <message>
         <source>set by code that the compiler adds ({0})</source>
-        <translation>sat af det, som compileren tilføjer ({0})</translation>
+        <translation>sat af kode, som compileren tilføjer ({0})</translation>
     </message>
     <message>
         <source>written from outside</source>
@@ -6218,7 +6218,7 @@
     </message>
     <message>
         <source>The rule considers only one lag; check the margins.</source>
-        <translation>Reglen ser kun på én tidskonstant; kontroller marginerne.</translation>
+        <translation>Reglen tager kun hensyn til én tidskonstant; kontroller marginerne.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -6382,7 +6382,7 @@
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0}&#xa0;% af det, måleværdien gør, er støj.</translation>
+        <translation>{0}&#xa0;% af måleværdiens bevægelse er støj.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -8113,7 +8113,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Speed of the controller; any factor can be entered:</source>
-        <translation>Styringens hastighed; enhver faktor kan skrives:</translation>
+        <translation>Styringens hastighed; enhver faktor kan indtastes:</translation>
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>

@@ -1869,7 +1869,7 @@
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
-        <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt, oder setzen Sie {1} unter {2} in project.json auf true</translation>
+        <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt oder setzen Sie {1} unter {2} in project.json auf true</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
@@ -2441,7 +2441,7 @@
     </message>
     <message>
         <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
-        <translation>die Referenz ist NULL; weisen Sie ihr eine Variable zu, oder vergleichen Sie sie zuerst mit NULL</translation>
+        <translation>die Referenz ist NULL; weisen Sie ihr eine Variable zu oder vergleichen Sie sie zuerst mit NULL</translation>
     </message>
     <message>
         <source>the reference does not point to a variable of its type; assign one to it</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
-        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}; verkürzen Sie ihre Arbeit, oder erhöhen Sie die Zeit</translation>
+        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}; verkürzen Sie ihre Arbeit oder erhöhen Sie die Zeit</translation>
     </message>
     <message>
         <source>the file name is too long; choose a shorter one</source>
@@ -2509,7 +2509,7 @@
     </message>
     <message>
         <source>The retain file is not a regular file; remove it or choose another one</source>
-        <translation>Die Retain-Datei ist keine gewöhnliche Datei; löschen Sie sie, oder wählen Sie eine andere</translation>
+        <translation>Die Retain-Datei ist keine gewöhnliche Datei; löschen Sie sie oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>the text has {0} characters, the maximum is {1}; shorten it</source>
@@ -2549,7 +2549,7 @@
     </message>
     <message>
         <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
-        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien; wählen Sie einen anderen Ordner, oder legen Sie ein Projekt an</translation>
+        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien; wählen Sie einen anderen Ordner oder legen Sie ein Projekt an</translation>
     </message>
     <message>
         <source>There is no such file or folder; check the path</source>
@@ -2565,7 +2565,7 @@
     </message>
     <message>
         <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
-        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben; erlauben Sie das Schreiben, oder wählen Sie einen anderen Namen</translation>
+        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben; erlauben Sie das Schreiben oder wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>{0} is not a time; write for example T#2s</source>
@@ -2613,7 +2613,7 @@
     </message>
     <message>
         <source>There is no panel {0}; create it or choose another one</source>
-        <translation>Es gibt kein Panel {0}; legen Sie es an, oder wählen Sie ein anderes</translation>
+        <translation>Es gibt kein Panel {0}; legen Sie es an oder wählen Sie ein anderes</translation>
     </message>
     <message>
         <source>The key {0} is not in the text table; add it there</source>
@@ -2625,11 +2625,11 @@
     </message>
     <message>
         <source>The file {0} does not exist; add it to the project or choose another one</source>
-        <translation>Die Datei {0} ist nicht vorhanden; fügen Sie sie dem Projekt hinzu, oder wählen Sie eine andere</translation>
+        <translation>Die Datei {0} ist nicht vorhanden; fügen Sie sie dem Projekt hinzu oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>The panel has no group or tab {0}; create it or choose another one</source>
-        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}; legen Sie sie an, oder wählen Sie eine andere</translation>
+        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}; legen Sie sie an oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>The group {0} contains itself; choose another parent</source>
@@ -2645,7 +2645,7 @@
     </message>
     <message>
         <source>There is no role {0}; create it or choose another one</source>
-        <translation>Die Rolle {0} gibt es nicht; legen Sie sie an, oder wählen Sie eine andere</translation>
+        <translation>Die Rolle {0} gibt es nicht; legen Sie sie an oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>A recipe has no name; give it one</source>
@@ -2665,7 +2665,7 @@
     </message>
     <message>
         <source>There is no alarm class {0}; add it or choose another one</source>
-        <translation>Es gibt keine Alarmklasse {0}; fügen Sie sie hinzu, oder wählen Sie eine andere</translation>
+        <translation>Es gibt keine Alarmklasse {0}; fügen Sie sie hinzu oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>No panel and no alarm uses the key {0}; use it or remove it</source>
@@ -3927,7 +3927,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Farbe in Betrieb</translation>
+        <translation>Farbe (in Betrieb)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +3971,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Farbe leuchtend</translation>
+        <translation>Farbe (leuchtend)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -3983,11 +3983,11 @@
     </message>
     <message>
         <source>Text on</source>
-        <translation>Text ein</translation>
+        <translation>Text (ein)</translation>
     </message>
     <message>
         <source>Text off</source>
-        <translation>Text aus</translation>
+        <translation>Text (aus)</translation>
     </message>
     <message>
         <source>Colour on</source>
@@ -4175,11 +4175,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Farbe angehoben</translation>
+        <translation>Farbe (angehoben)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Farbe hängend</translation>
+        <translation>Farbe (hängend)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -6085,7 +6085,7 @@
     </message>
     <message>
         <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
-        <translation>Der Code würde unverschlüsselt über das Netz gesendet; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
+        <translation>Der Code würde unverschlüsselt über das Netzwerk gesendet; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
@@ -6097,7 +6097,7 @@
     </message>
     <message>
         <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netz und die Steuerung</translation>
+        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netzwerk und die Steuerung</translation>
     </message>
     <message>
         <source>{0} does not answer; check the address and whether the controller runs</source>

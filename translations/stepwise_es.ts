@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>La condición {0} no es una de defined, hasvalue, hasattribute, hastype con NOT, AND, OR</translation>
+        <translation>La condición {0} no se compone de defined, hasvalue, hasattribute o hastype con NOT, AND, OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -1601,7 +1601,7 @@
     </message>
     <message>
         <source>The kind of element {0} is not a text; write it in quotes</source>
-        <translation>La clase del elemento {0} no es un texto; escríbala entre comillas</translation>
+        <translation>El tipo del elemento {0} no es un texto; escríbalo entre comillas</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
@@ -1677,7 +1677,7 @@
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Esta versión no conoce la clase de elemento «{0}»; se conserva tal cual</translation>
+        <translation>Esta versión no conoce el tipo de elemento «{0}»; se conserva tal cual</translation>
     </message>
     <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
@@ -3927,7 +3927,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Color en marcha</translation>
+        <translation>Color (en marcha)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +3971,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Color iluminado</translation>
+        <translation>Color (iluminado)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -4175,11 +4175,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Color elevado</translation>
+        <translation>Color (elevado)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Color colgante</translation>
+        <translation>Color (colgante)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -5185,7 +5185,7 @@
     </message>
     <message>
         <source>set by code that the compiler adds ({0})</source>
-        <translation>asignado por lo que añade el compilador ({0})</translation>
+        <translation>asignado por código que añade el compilador ({0})</translation>
     </message>
     <message>
         <source>written from outside</source>
@@ -6382,7 +6382,7 @@
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
+        <translation>El {0}&#xa0;% de la variación del valor medido es ruido.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>

@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>La condition {0} n’est pas l’une de defined, hasvalue, hasattribute, hastype avec NOT, AND, OR</translation>
+        <translation>La condition {0} n’est pas formée de defined, hasvalue, hasattribute ou hastype avec NOT, AND, OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -3927,7 +3927,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Couleur en marche</translation>
+        <translation>Couleur (en marche)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +3971,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Couleur allumé</translation>
+        <translation>Couleur (allumé)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -4175,11 +4175,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Couleur levé</translation>
+        <translation>Couleur (levé)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Couleur pendant</translation>
+        <translation>Couleur (pendant)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -5185,7 +5185,7 @@
     </message>
     <message>
         <source>set by code that the compiler adds ({0})</source>
-        <translation>écrit par ce que le compilateur ajoute ({0})</translation>
+        <translation>écrit par du code que le compilateur ajoute ({0})</translation>
     </message>
     <message>
         <source>written from outside</source>
@@ -6033,7 +6033,7 @@
     </message>
     <message>
         <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>Les points d’arrêt arrêtent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
+        <translation>Les points d’arrêt immobilisent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
     </message>
     <message>
         <source>{0} is forced; release it before writing</source>
@@ -6382,7 +6382,7 @@
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0}&#xa0;% du comportement de la valeur mesurée est du bruit.</translation>
+        <translation>{0}&#xa0;% de la variation de la valeur mesurée est du bruit.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>

@@ -5308,7 +5308,7 @@
     </message>
     <message>
         <source>time passed.</source>
-        <translation>时间经过。</translation>
+        <translation>时间已过去。</translation>
     </message>
     <message>
         <source>it was the first scan.</source>
@@ -5498,7 +5498,7 @@
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>
-        <translation>记录中没有认识它的程序；请选择打开的程序中的回路</translation>
+        <translation>记录中的程序都不包含它；请选择打开的程序中的回路</translation>
     </message>
     <message>
         <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
