@@ -180,8 +180,8 @@
         <translation>intet svar inden for {0}&#xa0;ms; kontroller kabel, adresse og enhedsnummer</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>forbindelsen blev afbrudt: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>forbindelsen blev afbrudt: {0}; den oprettes igen</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -1720,8 +1720,8 @@
         <translation>{0} er {1}; her kræves en enkelt værdi</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>En pladsholder er ikke lukket med {0}</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>En pladsholder er ikke lukket; tilføj {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1864,8 +1864,8 @@
         <translation>Teksten til nøglen {0} på {1} er ændret siden eksporten; kontroller oversættelsen</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>Oversættelsen af nøglen {0} har andre pladsholdere end kilden og blev ikke overtaget</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>Oversættelsen af nøglen {0} har andre pladsholdere end kilden og blev ikke overtaget; brug de samme</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1876,8 @@
         <translation>Billedet {0} fylder mere end {1}&#xa0;MB udpakket; brug et mindre</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke; brug et mindre</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1976,12 @@
         <translation>Ingen tekst fortæller, hvad dette gør; tilføj en, eller sæt en ved siden af</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} ligger mellem {1} og {2} i optagelsen, så området fra {3} til {4} skærer noget af</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} ligger mellem {1} og {2} i optagelsen, så området fra {3} til {4} skærer noget af; gør området større</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} er ikke mellem {1} og {2}; {3} bruges</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} er ikke mellem {1} og {2}, så {3} bruges; ret værdien</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2052,8 +2052,8 @@
         <translation>Rammen {0} har intet panelområde, så intet panel vises i den; tilføj et</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Kun for rollerne {0}, men projektet har ingen brugere, så enhver må betjene det; tilføj brugere</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2148,24 +2148,24 @@
         <translation>En skrift på {0}&#xa0;px kan ikke læses på {2}&#xa0;mm; brug mindst {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>Faceplaten er så lille her, at dens mindste skrift er {0}&#xa0;px; på {2}&#xa0;mm kræves {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>Faceplaten er så lille her, at dens mindste skrift er {0}&#xa0;px; på {2}&#xa0;mm kræves {1}&#xa0;px; gør den større</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Faceplaten er så lille her, at en finger kun har {0}&#xa0;px at trykke på; der kræves {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>Faceplaten er så lille her, at en finger kun har {0}&#xa0;px at trykke på; der kræves {1}&#xa0;px; gør den større</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2}&#xa0;px i begge retninger</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2}&#xa0;px i begge retninger; gør elementet større</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for størrelsen er {1}; flyt nogle til et andet panel</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>Panelet {0} er {1} tryk fra startpanelet; {2} bør række</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>Panelet {0} er {1} tryk fra startpanelet; tilføj en vej med højst {2}</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -3122,12 +3122,12 @@
         <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt; forbind det i det andet værktøj, og eksporter igen</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>Transitionen fra {0} har ingen betingelse og er skrevet som FALSE; indtast dens betingelse</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi, så dets sidste værdi bevares ikke; gem den i en variabel</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3138,12 @@
         <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer; gør den til en FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted; tildel det til en variabel for at beregne det én gang</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>Typen af resultatet af {0} er ikke kendt, så det beregnes, selv om EN er FALSE; kald det under et IF</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -5054,7 +5054,7 @@
     </message>
     <message>
         <source>Log out</source>
-        <translation>Log af</translation>
+        <translation>Log ud</translation>
     </message>
     <message>
         <source>Shelved alarms</source>
@@ -6048,8 +6048,8 @@
         <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>Programmet har {0} fejl; ret dem: indtil da fortsætter styringen med det gamle</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
@@ -11598,15 +11598,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Log af efter</translation>
+        <translation>Log ud efter</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Log af efter </translation>
+        <translation>Log ud efter </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Log af efter</translation>
+        <translation>Log ud efter</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11614,7 +11614,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>none: cannot log in</source>
-        <translation>ingen: kan ikke logge på</translation>
+        <translation>ingen: kan ikke logge ind</translation>
     </message>
     <message>
         <source>set</source>

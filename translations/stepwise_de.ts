@@ -180,8 +180,8 @@
         <translation>keine Antwort innerhalb von {0}&#xa0;ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>die Verbindung wurde beendet: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>die Verbindung wurde beendet: {0}; sie wird wieder aufgebaut</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -1720,8 +1720,8 @@
         <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>Ein Platzhalter ist nicht geschlossen; ergänzen Sie {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1864,8 +1864,8 @@
         <translation>Der Text des Schlüssels {0} in {1} hat sich seit dem Export geändert; prüfen Sie die Übersetzung</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>Die Übersetzung des Schlüssels {0} hat andere Platzhalter als ihre Quelle und wurde nicht übernommen</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>Die Übersetzung des Schlüssels {0} hat andere Platzhalter als ihre Quelle und wurde nicht übernommen; verwenden Sie dieselben</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1876,8 @@
         <translation>Das Bild {0} wird entpackt größer als {1}&#xa0;MB; verwenden Sie ein kleineres</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet; verwenden Sie ein kleineres</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1976,12 @@
         <translation>Kein Text sagt, was das bewirkt; fügen Sie einen hinzu oder setzen Sie einen daneben</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} liegt in der Aufzeichnung zwischen {1} und {2}, der Bereich von {3} bis {4} schneidet also etwas ab</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} liegt in der Aufzeichnung zwischen {1} und {2}, der Bereich von {3} bis {4} schneidet also etwas ab; erweitern Sie den Bereich</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} liegt nicht zwischen {1} und {2}; verwendet wird {3}</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} liegt nicht zwischen {1} und {2}, verwendet wird {3}; berichtigen Sie den Wert</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2052,8 +2052,8 @@
         <translation>Der Rahmen {0} hat keinen Panelbereich, darin wird also kein Panel angezeigt; fügen Sie einen hinzu</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer, also darf es jeder bedienen; fügen Sie Benutzer hinzu</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2148,24 +2148,24 @@
         <translation>Eine Schrift von {0}&#xa0;px ist aus {2}&#xa0;mm nicht lesbar; verwenden Sie mindestens {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0}&#xa0;px hat; aus {2}&#xa0;mm sind {1}&#xa0;px nötig</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0}&#xa0;px hat; aus {2}&#xa0;mm sind {1}&#xa0;px nötig; vergrößern Sie es</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0}&#xa0;px bleiben; nötig sind {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0}&#xa0;px bleiben; nötig sind {1}&#xa0;px; vergrößern Sie es</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2}&#xa0;px in beiden Richtungen</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2}&#xa0;px in beiden Richtungen; vergrößern Sie das Element</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>Auf dem Panel werden {0} Werte und Bedienelemente angezeigt; das Maximum für seine Größe ist {1}; verschieben Sie einige auf ein anderes Panel</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>Das Panel {0} ist {1} Berührungen vom Startpanel entfernt; {2} sollten reichen</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>Das Panel {0} ist {1} Berührungen vom Startpanel entfernt; fügen Sie einen Weg mit höchstens {2} hinzu</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -3122,12 +3122,12 @@
         <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen; verbinden Sie es im anderen Werkzeug und exportieren Sie erneut</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>Die Transition von {0} hat keine Bedingung und ist als FALSE geschrieben; geben Sie ihre Bedingung ein</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert, sein letzter Wert bleibt also nicht erhalten; speichern Sie ihn in einer Variablen</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3138,12 @@
         <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert; machen Sie daraus einen FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet; weisen Sie es einer Variablen zu, um es einmal zu berechnen</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt, daher wird es berechnet, obwohl EN FALSE ist; rufen Sie es unter einem IF auf</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -6048,8 +6048,8 @@
         <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>Das Programm hat {0} Fehler; beheben Sie sie: Bis dahin läuft die Steuerung mit dem alten weiter</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>

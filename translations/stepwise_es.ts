@@ -180,8 +180,8 @@
         <translation>sin respuesta en {0}&#xa0;ms; compruebe el cable, la dirección y el número de unidad</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>la conexión se ha cerrado: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>la conexión se ha cerrado: {0}; se está restableciendo</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -1720,8 +1720,8 @@
         <translation>{0} es {1}; aquí se necesita un único valor</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Un marcador de posición no se cierra con {0}</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>Un marcador de posición no está cerrado; añada {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1864,8 +1864,8 @@
         <translation>El texto de la clave {0} en {1} ha cambiado desde la exportación; compruebe la traducción</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>La traducción de la clave {0} tiene otros marcadores de posición que su origen y no se ha aceptado</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>La traducción de la clave {0} tiene otros marcadores de posición que su origen y no se ha aceptado; use los mismos</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1876,8 @@
         <translation>La imagen {0} supera {1}&#xa0;MB al descomprimirse; use una más pequeña</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>La imagen {0} tiene {1} x {2} píxeles; no se dibujan más de {3} millones</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>La imagen {0} tiene {1} x {2} píxeles; no se dibujan más de {3} millones; use una más pequeña</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1976,12 @@
         <translation>Ningún texto indica para qué sirve esto; añada uno o coloque uno al lado</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} está entre {1} y {2} en la grabación, por lo que el rango de {3} a {4} lo recorta</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} está entre {1} y {2} en la grabación, por lo que el rango de {3} a {4} lo recorta; amplíe el rango</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} no está entre {1} y {2}; se usa {3}</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} no está entre {1} y {2}, por lo que se usa {3}; corríjalo</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2052,8 +2052,8 @@
         <translation>El marco {0} no tiene área de panel, por lo que no se muestra ningún panel en él; añada una</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Solo para los roles {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Solo para los roles {0}, pero el proyecto no tiene usuarios, así que cualquiera puede operarlo; añada usuarios</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2148,24 +2148,24 @@
         <translation>Una fuente de {0}&#xa0;px no se puede leer a {2}&#xa0;mm; use al menos {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0}&#xa0;px; a {2}&#xa0;mm se necesitan {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0}&#xa0;px; a {2}&#xa0;mm se necesitan {1}&#xa0;px; agrándelo</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que solo quedan {0}&#xa0;px para un dedo; se necesitan {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>El faceplate es tan pequeño aquí que solo quedan {0}&#xa0;px para un dedo; se necesitan {1}&#xa0;px; agrándelo</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a otros controles; se necesitan {2}&#xa0;px en ambas direcciones</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a otros controles; se necesitan {2}&#xa0;px en ambas direcciones; agrande el elemento</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>El panel muestra {0} valores y controles; el máximo para su tamaño es {1}; pase algunos a otro panel</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>El panel {0} está a {1} pulsaciones del panel inicial; deberían bastar {2}</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>El panel {0} está a {1} pulsaciones del panel inicial; añada un camino de {2} como máximo</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -3122,12 +3122,12 @@
         <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido; conéctelo en la otra herramienta y exporte de nuevo</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>La transición desde {0} no tiene condición y se escribe como FALSE; introduzca su condición</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor, por lo que su último valor no se conserva; guárdelo en una variable</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3138,12 @@
         <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena; conviértala en un FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno; asígnelo a una variable para calcularlo una sola vez</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>El tipo del resultado de {0} no se conoce, por lo que se calcula aunque EN sea FALSE; llámelo bajo un IF</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -6048,8 +6048,8 @@
         <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>El programa tiene {0} {0:error|errores}; corríjalos: hasta entonces, el controlador sigue con el anterior</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>

@@ -180,8 +180,8 @@
         <translation>pas de réponse en {0}&#xa0;ms&#x202f;; vérifiez le câble, l’adresse et le numéro d’unité</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>la connexion a été interrompue&#xa0;: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>la connexion a été interrompue&#xa0;: {0}&#x202f;; elle est en cours de rétablissement</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -1720,8 +1720,8 @@
         <translation>{0} est {1}&#x202f;; il faut ici une valeur simple</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Un espace réservé n’est pas fermé par {0}</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>Un espace réservé n’est pas fermé&#x202f;; ajoutez {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1864,8 +1864,8 @@
         <translation>Le texte de la clé {0} en {1} a changé depuis l’exportation&#x202f;; vérifiez la traduction</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>La traduction de la clé {0} n’a pas les mêmes espaces réservés que sa source et n’a pas été reprise</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>La traduction de la clé {0} n’a pas les mêmes espaces réservés que sa source et n’a pas été reprise&#x202f;; utilisez les mêmes</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1876,8 @@
         <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée&#x202f;; utilisez-en une plus petite</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée&#x202f;; utilisez-en une plus petite</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1976,12 @@
         <translation>Aucun texte n’indique à quoi cela sert&#x202f;; ajoutez-en un, ou placez-en un à côté</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} est entre {1} et {2} dans l’enregistrement, la plage de {3} à {4} le tronque donc</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} est entre {1} et {2} dans l’enregistrement, la plage de {3} à {4} le tronque donc&#x202f;; élargissez-la</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} n’est pas entre {1} et {2}&#x202f;; {3} est utilisé</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} n’est pas entre {1} et {2}, {3} est donc utilisé&#x202f;; corrigez la valeur</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2052,8 +2052,8 @@
         <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y est donc affichée&#x202f;; ajoutez-en une</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs&#x202f;; tout le monde peut le commander</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs, tout le monde peut donc le commander&#x202f;; ajoutez des utilisateurs</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2148,24 +2148,24 @@
         <translation>Une police de {0}&#xa0;px n’est pas lisible à {2}&#xa0;mm&#x202f;; utilisez au moins {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2}&#xa0;mm, il faut {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2}&#xa0;mm, il faut {1}&#xa0;px&#x202f;; agrandissez-la</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici qu’il ne reste que {0}&#xa0;px pour un doigt&#x202f;; il faut {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>La vue d’objet est si petite ici qu’il ne reste que {0}&#xa0;px pour un doigt&#x202f;; il faut {1}&#xa0;px&#x202f;; agrandissez-la</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2}&#xa0;px dans les deux sens</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2}&#xa0;px dans les deux sens&#x202f;; agrandissez l’élément</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>La vue affiche {0} valeurs et commandes&#x202f;; le maximum pour sa taille est {1}&#x202f;; déplacez-en vers une autre vue</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>La vue {0} est à {1} appuis de la vue de départ&#x202f;; {2} devraient suffire</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>La vue {0} est à {1} appuis de la vue de départ&#x202f;; ajoutez un accès en {2} au plus</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -3122,12 +3122,12 @@
         <translation>L’élément {0} du grafcet n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transition depuis {0} n’a pas de condition&#x202f;; elle est écrite comme FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>La transition depuis {0} n’a pas de condition et est écrite comme FALSE&#x202f;; saisissez sa condition</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur&#x202f;; sa dernière valeur n’est pas conservée</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur, sa dernière valeur n’est donc pas conservée&#x202f;; mémorisez-la dans une variable</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3138,12 @@
         <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas&#x202f;; faites-en un FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>Le résultat de {0} est utilisé à plusieurs endroits et calculé à chacun&#x202f;; affectez-le à une variable pour ne le calculer qu’une fois</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Le type du résultat de {0} est inconnu&#x202f;; il est calculé même si EN est FALSE</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>Le type du résultat de {0} est inconnu, il est donc calculé même si EN est FALSE&#x202f;; appelez-le sous un IF</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -6048,8 +6048,8 @@
         <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; corrigez-les&#xa0;: en attendant, l’automate continue avec l’ancien</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>

@@ -180,8 +180,8 @@
         <translation>{0} ms 内没有应答；请检查电缆、地址和站号</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>连接已断开：{0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>连接已断开：{0}；正在重新建立</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -1720,8 +1720,8 @@
         <translation>{0} 是 {1}；此处需要单个值</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>占位符没有以 {0} 结束</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>占位符没有结束；请添加 {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1864,8 +1864,8 @@
         <translation>键 {0} 的 {1} 文本在导出后已更改；请检查翻译</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>键 {0} 的译文与原文的占位符不同，因此未采用</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>键 {0} 的译文与原文的占位符不同，因此未采用；请使用相同的占位符</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1876,8 @@
         <translation>图片 {0} 解压后大于 {1} MB；请使用较小的图片</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制；请使用较小的图片</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1976,12 @@
         <translation>没有文本说明其作用；请添加文本，或在旁边放置文本</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>记录中 {0} 在 {1} 与 {2} 之间，因此范围 {3} 到 {4} 会截断它</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>记录中 {0} 在 {1} 与 {2} 之间，因此范围 {3} 到 {4} 会截断它；请扩大范围</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} 不在 {1} 与 {2} 之间；使用 {3}</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} 不在 {1} 与 {2} 之间，因此使用 {3}；请更正</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2052,8 +2052,8 @@
         <translation>框架 {0} 没有画面区域，因此其中不显示画面；请添加画面区域</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>仅限角色 {0}，但项目没有用户，任何人都可操作；请添加用户</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2148,24 +2148,24 @@
         <translation>{0} px 的字体在 {2} mm 处无法看清；请至少使用 {1} px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>此处面板组件太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>此处面板组件太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px；请将其放大</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>此处面板组件太小，只剩 {0} px 供手指按下；需要 {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>此处面板组件太小，只剩 {0} px 供手指按下；需要 {1} px；请将其放大</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px；请将元素放大</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>画面显示了 {0} 个值和控件；按其大小，最多为 {1} 个；请将一部分移到其他画面</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>画面 {0} 距起始画面需按 {1} 次；{2} 次应足够</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>画面 {0} 距起始画面需按 {1} 次；请添加最多 {2} 次即可到达的途径</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -3122,12 +3122,12 @@
         <translation>顺序功能图的元素 {0} 未连接，已略去；请在原工具中连接后重新导出</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>从 {0} 出发的转换没有条件，写为 FALSE；请输入其条件</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>元素 {0} 处于没有存储值的块的循环中，因此不保留其上次的值；请将其存入变量</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3138,12 @@
         <translation>函数中的边沿需要上次调用的值，而函数不存储该值；请改为 FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>{0} 的结果在多处使用，并在每处计算</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>{0} 的结果在多处使用，并在每处计算；若只需计算一次，请将其赋给变量</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>{0} 的结果类型未知，因此即使 EN 为 FALSE 也会计算；请在 IF 下调用</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -6046,8 +6046,8 @@
         <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>程序有 {0} 个错误；请更正：在此之前控制器继续运行旧程序</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
