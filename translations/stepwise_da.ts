@@ -335,20 +335,20 @@
         <translation>Der mangler et kolon mellem navnet og dets type; tilføj det</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>Decimaltal bruger punktum: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>Decimaltal bruger punktum; skriv {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>{0} mangler; programenheden slutter her</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>{0} mangler: programenheden slutter her; tilføj det</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Her mangler et semikolon; sætningen slutter her</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Der mangler et semikolon: sætningen slutter her; tilføj det</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} indeholder sig selv; brug REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Parametrene i {0} skal svare til den tilsidesatte metodes</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Parametrene i {0} skal svare til den tilsidesatte metodes; kopier dens erklæringer</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>Betingelsen {0} består ikke af defined, hasvalue, hasattribute eller hastype med NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>Betingelsen {0} er ukendt; kombiner defined, hasvalue, hasattribute og hastype med NOT, AND og OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} kræver hukommelse, som projektet ikke afsætter; skriv &quot;memoryForNew&quot;: 65536 i project.json</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} er ikke en blok i dette program; kun en blok kan have sin egen task</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} er ikke en blok i dette program og kan ikke have sin egen task; angiv en af dets blokke</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} er kun tilladt i en TEST; flyt det dertil</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>Dette er ikke tekst i UTF-8; gem filen som UTF-8, eller fjern den fra projektet, hvis den ikke er en tekstfil</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} er ikke en aktionskvalifikator; brug N, R, S, L, D, P, P0, P1, SD, DS eller SL</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>Der er intet modstykke i det andet sprog: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>Det er en mappe; der kræves en fil</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>Det er en mappe; vælg en fil</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>Det er en enhed; der kræves en fil</translation>
+        <source>This is a device; choose a file</source>
+        <translation>Det er en enhed; vælg en fil</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1420,8 +1428,8 @@
         <translation>Kørslen afviger fra optagelsen {0}; slet den for at optage den igen, hvis den nye opførsel er rigtig</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>betingelsen kan ikke beregnes</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>betingelsen kan ikke beregnes; brug variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -1605,7 +1613,7 @@
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
+        <translation>To elementer har id’et ”{0}”; ret det ene</translation>
     </message>
     <message>
         <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
@@ -1857,7 +1865,7 @@
     </message>
     <message>
         <source>The XML is wrong: {0}; export the file again</source>
-        <translation>XML&apos;en er forkert: {0}; eksporter filen igen</translation>
+        <translation>XML’en er forkert: {0}; eksporter filen igen</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (prøvet med {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>Programmet blev ikke oversat fra kildetekster.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>Programmet blev ikke oversat fra kildetekster; åbn dets projekt.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Dette scan er ikke længere i optagelsen; vælg et senere scan.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt; vælg et senere scan.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2385,7 +2393,7 @@
     </message>
     <message>
         <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
-        <translation>To alarmer har id&apos;et ”{0}”; ret det ene</translation>
+        <translation>To alarmer har id’et ”{0}”; ret det ene</translation>
     </message>
     <message>
         <source>The quote that opens here is never closed; add one at the end of the text</source>
@@ -2714,6 +2722,10 @@
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Startpanelet skal sige, hvad man nu skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
+    </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} er ikke en sprogkode; brug koder som {1} eller {2}</translation>
     </message>
 </context>
 <context>
@@ -3327,7 +3339,35 @@
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
-        <translation>Programmet bruger {0} fra biblioteket {1}, som rækker ud over en simuleret styring; erklær POU&apos;er med disse navne, som gør det, simuleringen skal bruge</translation>
+        <translation>Programmet bruger {0} fra biblioteket {1}, som rækker ud over en simuleret styring; erklær POU’er med disse navne, som gør det, simuleringen skal bruge</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Betingelser i {0} er tegnet med blokke; aktionen {1}, der kører i hvert scan fra starttrinnet, kalder dem</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>Den tegnede krop i {0} blev ikke læst; åbn projektet i CODESYS V3, og eksporter det dér som PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>Den tegnede krop i {0} blev ikke læst: rækkefølgen af indgangene på {1} er ikke kendt. Importer filen, der erklærer {1}, sammen med denne</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>Programmet bruger {0}, som ingen af dets filer erklærer; projektet bruger biblioteket {1}, som indeholder det</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>Tasken {0} kører {1}, et program i et bibliotek; det blev udeladt. Kald det, maskinen har brug for af det, fra et program i projektet</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Denne udvidelses variabler er erklæret i {0}; dens kode i C eller Python udføres ikke. Skriv til dem i ST det, som koden gør</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>Version 0201 understøtter ikke konstruktørargumenterne til {0}; de blev udeladt</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Skift tema</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Lampesymbol</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Elpære</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5444,8 +5492,8 @@
         <translation>”Hvorfor ikke?” kræver en betingelse (BOOL), for eksempel ”Main.level &gt; 80”</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>programmet blev ikke oversat fra kildetekster</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>programmet blev ikke oversat fra kildetekster; åbn dets projekt</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>{0} kan ikke nås via TLS: {1}; start styringen dér med --certificate, eller brug en http-adresse på samme computer</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>{0} kan ikke nås: {1}; kontroller adressen og netværket</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Intet svarer på {0}; kontroller porten, og om ”stepwise serve” kører dér</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>Der er ingen computer med navnet {0}; kontroller navnet i adressen</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>Serveren på {0} er ikke en styring startet med ”stepwise serve”; kontroller værten og porten</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>Serveren på {0} taler ikke TLS; start styringen med --certificate, eller brug en http-adresse på samme computer</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>Tegnkodningen {0} kendes ikke; vælg en af {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>”{0}” skal være en liste med navne; skriv dem i anførselstegn i kantede parenteser</translation>
     </message>
 </context>
 <context>
@@ -6648,6 +6720,14 @@
         <source>Residuals</source>
         <translation>Residualer</translation>
     </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>Regulatorudgangen og måleværdien er ens i hver måling; vælg en anden måleværdi</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring. Kontroller det med regulatoren i manuel: Så hører svingningen op; fortsætter den, kommer årsagen udefra.</translation>
+    </message>
 </context>
 <context>
     <name>Waveform</name>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Tiderne for {0} løber baglæns; gem tracen igen</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>Filen er tom; eksporter tabellen igen</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>Tabellen har {0} kolonner {1}; giv hver sin egen overskrift</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>Kolonne {0} har ingen tal; vælg en af {1}</translation>
     </message>
 </context>
 <context>
@@ -8345,6 +8437,34 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Help</source>
         <translation>Hjælp</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Gå til</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Bogmærker</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Nulstilling</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Optagelse</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Vinduer</translation>
     </message>
 </context>
 <context>
@@ -11175,6 +11295,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Vælg et array med ét indeks, for eksempel Plant.Valves.</translation>
+    </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>De når til %1 × %2, panelet kun til %3 × %4: gør faceplaten mindre eller panelet større.</translation>
     </message>
 </context>
 <context>

@@ -335,20 +335,20 @@
         <translation>Zwischen Name und Typ fehlt ein Doppelpunkt; ergänzen</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>In Dezimalzahlen wird ein Punkt verwendet: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>In Dezimalzahlen wird ein Punkt verwendet; {0} schreiben</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>{0} fehlt; der Baustein endet hier</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>{0} fehlt: Der Baustein endet hier; ergänzen</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Hier fehlt ein Semikolon; die Anweisung endet hier</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Ein Semikolon fehlt: Die Anweisung endet hier; ergänzen</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} enthält sich selbst; REFERENCE TO verwenden</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen; deren Deklarationen übernehmen</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>Die Bedingung {0} besteht nicht aus defined, hasvalue, hasattribute oder hastype mit NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>Die Bedingung {0} ist unbekannt; defined, hasvalue, hasattribute und hastype mit NOT, AND und OR verknüpfen</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} braucht Speicher, den das Projekt nicht vorsieht; &quot;memoryForNew&quot;: 65536 in project.json eintragen</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} ist kein Baustein dieses Programms; nur ein Funktionsbaustein kann eine eigene Task haben</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} ist kein Funktionsbaustein dieses Programms und kann keine eigene Task haben; einen seiner Funktionsbausteine angeben</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} ist nur in einem TEST erlaubt; dorthin verschieben</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>Das ist kein Text in UTF-8; die Datei als UTF-8 speichern oder, falls sie keine Textdatei ist, aus dem Projekt entfernen</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} ist kein Bestimmungszeichen; N, R, S, L, D, P, P0, P1, SD, DS oder SL verwenden</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>In der anderen Sprache gibt es keine Entsprechung: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>Das ist ein Ordner; nötig ist eine Datei</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>Das ist ein Ordner; wählen Sie eine Datei</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>Das ist ein Gerät; nötig ist eine Datei</translation>
+        <source>This is a device; choose a file</source>
+        <translation>Das ist ein Gerät; wählen Sie eine Datei</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>Der Lauf weicht von der Aufzeichnung {0} ab; löschen Sie sie, um neu aufzuzeichnen, wenn das neue Verhalten richtig ist</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>die Bedingung kann nicht ausgewertet werden; verwenden Sie Variablen, Operatoren und Standardfunktionen</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (versucht mit {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>Das Programm wurde nicht aus Quelltexten übersetzt.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>Das Programm wurde nicht aus Quelltexten übersetzt; öffnen Sie sein Projekt.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung; wählen Sie einen späteren Zyklus.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt; wählen Sie einen späteren Zyklus.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2715,6 +2723,10 @@
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Startpanel muss angeben, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
     </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} ist kein Sprachcode; verwenden Sie Codes wie {1} oder {2}</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -3328,6 +3340,34 @@
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>Das Programm verwendet {0} der Bibliothek {1}, die über eine simulierte Steuerung hinausgreift; deklarieren Sie Bausteine dieser Namen, die das tun, was die Simulation braucht</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Bedingungen in {0} sind mit Bausteinen gezeichnet; die Aktion {1}, die vom Initialschritt an in jedem Zyklus läuft, ruft sie auf</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>Der gezeichnete Rumpf von {0} wurde nicht gelesen; öffnen Sie das Projekt in CODESYS V3 und exportieren Sie es dort als PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>Der gezeichnete Rumpf von {0} wurde nicht gelesen: Die Reihenfolge der Eingänge von {1} ist nicht bekannt. Importieren Sie die Datei, die {1} deklariert, zusammen mit dieser</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>Das Programm verwendet {0}, das keine seiner Dateien deklariert; das Projekt verwendet die Bibliothek {1}, die es enthält</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>Die Task {0} führt {1} aus, ein Programm einer Bibliothek; es wurde ausgelassen. Rufen Sie das, was die Maschine davon braucht, aus einem Programm des Projekts auf</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Die Variablen dieser Erweiterung sind in {0} deklariert; ihr Code in C oder Python wird nicht ausgeführt. Schreiben Sie ihre Werte in ST so, wie es der Code tut</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>Version 0201 unterstützt die Konstruktorargumente von {0} nicht; sie wurden ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Farbschema wechseln</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Lampensymbol</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Glühbirne</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5444,8 +5492,8 @@
         <translation>„Warum nicht?“ braucht eine Bedingung (BOOL), zum Beispiel „Main.level &gt; 80“</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>das Programm wurde nicht aus Quelltexten übersetzt</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>das Programm wurde nicht aus Quelltexten übersetzt; öffnen Sie sein Projekt</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>{0} ist über TLS nicht erreichbar: {1}; starten Sie die Steuerung dort mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>{0} ist nicht erreichbar: {1}; prüfen Sie die Adresse und das Netz</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Unter {0} antwortet nichts; prüfen Sie den Port und ob „stepwise serve“ dort läuft</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>Es gibt keinen Rechner namens {0}; prüfen Sie den Namen in der Adresse</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>Der Server unter {0} ist keine mit „stepwise serve“ gestartete Steuerung; prüfen Sie Rechner und Port</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>Der Server unter {0} spricht kein TLS; starten Sie die Steuerung mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>Die Codierung {0} ist nicht bekannt; wählen Sie eine von {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>„{0}“ muss eine Liste von Namen sein; schreiben Sie sie in Anführungszeichen, in eckigen Klammern</translation>
     </message>
 </context>
 <context>
@@ -6648,6 +6720,14 @@
         <source>Residuals</source>
         <translation>Residuen</translation>
     </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>Reglerausgang und Messwert sind in jedem Abtastwert gleich; wählen Sie einen anderen Messwert</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen. Prüfen Sie es mit dem Regler in Hand: Die Schwingung hört dann auf; bleibt sie, kommt die Ursache von außen.</translation>
+    </message>
 </context>
 <context>
     <name>Waveform</name>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Die Zeiten von {0} laufen rückwärts; speichern Sie den Trace erneut</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>Die Datei ist leer; exportieren Sie die Tabelle erneut</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>Die Tabelle hat {0} Spalten {1}; geben Sie jeder eine eigene Überschrift</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>Spalte {0} hat keine Zahlen; wählen Sie eine von {1}</translation>
     </message>
 </context>
 <context>
@@ -8345,6 +8437,34 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Dockfenster</translation>
     </message>
 </context>
 <context>
@@ -11175,6 +11295,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Wählen Sie ein Array mit einem Index, zum Beispiel Plant.Valves.</translation>
+    </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>Sie reichen bis %1 × %2, das Panel nur bis %3 × %4: Verkleinern Sie das Faceplate oder vergrößern Sie das Panel.</translation>
     </message>
 </context>
 <context>

@@ -335,20 +335,20 @@
         <translation>Faltan dos puntos entre el nombre y su tipo; añádalos</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>Los números decimales usan punto: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>Los números decimales usan punto; escriba {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>Falta {0}; la POU termina aquí</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>Falta {0}: la POU termina aquí; añádalo</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Falta un punto y coma aquí; la instrucción termina aquí</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Falta un punto y coma: la instrucción termina aquí; añádalo</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} se contiene a sí mismo; use un REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito; copie sus declaraciones</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>La condición {0} no se compone de defined, hasvalue, hasattribute o hastype con NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>La condición {0} no se conoce; use defined, hasvalue, hasattribute y hastype con NOT, AND y OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} necesita memoria que el proyecto no reserva; escriba &quot;memoryForNew&quot;: 65536 en project.json</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} no es un bloque de este programa; solo un bloque puede tener una tarea propia</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} no es un bloque de este programa y no puede tener una tarea propia; indique uno de sus bloques</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} solo se permite en un TEST; muévalo allí</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>No es texto en UTF-8; guarde el archivo como UTF-8, o quítelo del proyecto si no es un archivo de texto</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} no es un calificador de acción; use N, R, S, L, D, P, P0, P1, SD, DS o SL</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>No hay equivalente en el otro lenguaje: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>Es una carpeta; se necesita un archivo</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>Es una carpeta; elija un archivo</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>Es un dispositivo; se necesita un archivo</translation>
+        <source>This is a device; choose a file</source>
+        <translation>Es un dispositivo; elija un archivo</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>La ejecución difiere de la grabación {0}; elimínela para volver a grabarla si el nuevo comportamiento es correcto</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>la condición no se puede evaluar</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>la condición no se puede evaluar; use variables, operadores y funciones estándar</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (probado con {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>El programa no se compiló a partir de código fuente.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>El programa no se compiló a partir de código fuente; abra su proyecto.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Este ciclo ya no está en la grabación; elija un ciclo posterior.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo; elija un ciclo posterior.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2715,6 +2723,10 @@
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>Una máquina parada tiene el mismo aspecto si está averiada que si solo espera. El panel inicial debe decir qué pulsar a continuación: una frase bajo el título o un texto de estado como «Listo: pulse S1».</translation>
     </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} no es un código de idioma; use códigos como {1} o {2}</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -3328,6 +3340,34 @@
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>El programa usa {0} de la biblioteca {1}, que va más allá de un controlador simulado; declare POU con esos nombres que hagan lo que la simulación necesita</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Hay condiciones en {0} dibujadas con bloques; la acción {1}, que se ejecuta en cada ciclo desde la etapa inicial, los llama</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>El cuerpo dibujado de {0} no se ha leído; abra el proyecto en CODESYS V3 y expórtelo allí como PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>El cuerpo dibujado de {0} no se ha leído: no se conoce el orden de las entradas de {1}. Importe el archivo que declara {1} junto con este</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>El programa usa {0}, que ninguno de sus archivos declara; el proyecto usa la biblioteca {1}, que lo contiene</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>La tarea {0} ejecuta {1}, un programa de una biblioteca; se ha omitido. Llame a lo que la máquina necesite de él desde un programa del proyecto</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Las variables de esta extensión están declaradas en {0}; su código en C o Python no se ejecuta. Escríbalas en ST como lo hace el código</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>La versión 0201 no admite los argumentos del constructor de {0}; se han omitido</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Cambiar el tema</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Símbolo de piloto</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Bombilla</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5444,8 +5492,8 @@
         <translation>«¿Por qué no?» necesita una condición (BOOL), por ejemplo «Main.level &gt; 80»</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>el programa no se compiló a partir de código fuente</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>el programa no se compiló a partir de código fuente; abra su proyecto</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>No se puede acceder a {0} por TLS: {1}; inicie su controlador con --certificate o use una dirección http en el mismo equipo</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>No se puede acceder a {0}: {1}; compruebe la dirección y la red</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Nada responde en {0}; compruebe el puerto y si «stepwise serve» se está ejecutando allí</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>No hay ningún equipo llamado {0}; compruebe el nombre en la dirección</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>El servidor en {0} no es un controlador iniciado con «stepwise serve»; compruebe el equipo y el puerto</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>El servidor en {0} no habla TLS; inicie el controlador con --certificate o use una dirección http en el mismo equipo</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>La codificación {0} no se conoce; elija una de {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>«{0}» debe ser una lista de nombres; escríbalos entre comillas y entre corchetes</translation>
     </message>
 </context>
 <context>
@@ -6648,6 +6720,14 @@
         <source>Residuals</source>
         <translation>Residuos</translation>
     </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>La salida del regulador y el valor medido son iguales en todas las muestras; elija otro valor medido</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos. Compruébelo con el regulador en manual: la oscilación cesa; si continúa, la causa es externa.</translation>
+    </message>
 </context>
 <context>
     <name>Waveform</name>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Los tiempos de {0} van hacia atrás; guarde la traza de nuevo</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>El archivo está vacío; vuelva a exportar la tabla</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>La tabla tiene {0} columnas {1}; dé a cada una su propio encabezado</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>La columna {0} no tiene números; elija una de {1}</translation>
     </message>
 </context>
 <context>
@@ -8345,6 +8437,34 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Help</source>
         <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Ir a</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposición</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Ventanas</translation>
     </message>
 </context>
 <context>
@@ -11175,6 +11295,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Elija un array con un solo índice, por ejemplo Plant.Valves.</translation>
+    </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>Llegan hasta %1 × %2, el panel solo hasta %3 × %4: reduzca el faceplate o amplíe el panel.</translation>
     </message>
 </context>
 <context>

@@ -335,20 +335,20 @@
         <translation>Il manque un deux-points entre le nom et son type&#x202f;; l’ajouter</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>Les nombres décimaux utilisent le point&#xa0;: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>Les nombres décimaux utilisent le point&#x202f;; écrire {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>Il manque {0}&#x202f;; le POU se termine ici</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>Il manque {0}&#xa0;: le POU se termine ici&#x202f;; l’ajouter</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Il manque un point-virgule ici&#x202f;; l’instruction se termine ici</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Il manque un point-virgule&#xa0;: l’instruction se termine ici&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} se contient lui-même&#x202f;; utiliser un REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie&#x202f;; copier ses déclarations</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>La condition {0} n’est pas formée de defined, hasvalue, hasattribute ou hastype avec NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>La condition {0} est inconnue&#x202f;; combiner defined, hasvalue, hasattribute et hastype avec NOT, AND et OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} demande de la mémoire que le projet ne réserve pas&#x202f;; écrire &quot;memoryForNew&quot;: 65536 dans project.json</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} n’est pas un bloc de ce programme&#x202f;; seul un bloc peut avoir sa propre tâche</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} n’est pas un bloc de ce programme et ne peut pas avoir sa propre tâche&#x202f;; indiquer l’un de ses blocs</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} n’est autorisé que dans un TEST&#x202f;; l’y déplacer</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>Ce n’est pas du texte en UTF-8&#x202f;; enregistrer le fichier en UTF-8, ou le retirer du projet si ce n’est pas un fichier texte</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} n’est pas un qualificatif d’action&#x202f;; utiliser N, R, S, L, D, P, P0, P1, SD, DS ou SL</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>Il n’y a pas d’équivalent dans l’autre langage&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>C’est un dossier&#x202f;; il faut un fichier</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>C’est un dossier&#x202f;; choisissez un fichier</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>C’est un périphérique&#x202f;; il faut un fichier</translation>
+        <source>This is a device; choose a file</source>
+        <translation>C’est un périphérique&#x202f;; choisissez un fichier</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>L’exécution diffère de l’enregistrement {0}&#x202f;; supprimez-le pour enregistrer de nouveau, si le nouveau comportement est juste</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>la condition ne peut pas être évaluée</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>la condition ne peut pas être évaluée&#x202f;; utilisez des variables, des opérateurs et des fonctions standard</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (essayé avec {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>Le programme n’a pas été compilé à partir de sources.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>Le programme n’a pas été compilé à partir de sources&#x202f;; ouvrez son projet.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Ce cycle n’est plus dans l’enregistrement&#x202f;; choisissez un cycle ultérieur.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>Le cycle précédent n’est pas dans l’enregistrement, les valeurs au début de ce cycle sont donc inconnues&#x202f;; choisissez un cycle ultérieur.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2715,6 +2723,10 @@
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue de départ doit dire sur quoi appuyer ensuite&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
     </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} n’est pas un code de langue&#x202f;; utilisez des codes comme {1} ou {2}</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -3328,6 +3340,34 @@
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>Le programme utilise {0} de la bibliothèque {1}, qui sort du cadre d’un automate simulé&#x202f;; déclarez des POU de ces noms qui font ce dont la simulation a besoin</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Des conditions dans {0} sont dessinées avec des blocs&#x202f;; l’action {1}, exécutée à chaque cycle dès l’étape initiale, les appelle</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>Le corps dessiné de {0} n’a pas été lu&#x202f;; ouvrez le projet dans CODESYS V3 et exportez-le depuis là en PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>Le corps dessiné de {0} n’a pas été lu&#xa0;: l’ordre des entrées de {1} n’est pas connu. Importez le fichier qui déclare {1} avec celui-ci</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>Le programme utilise {0}, qu’aucun de ses fichiers ne déclare&#x202f;; le projet utilise la bibliothèque {1}, qui le contient</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>La tâche {0} exécute {1}, un programme d’une bibliothèque&#x202f;; il a été omis. Appelez ce dont la machine a besoin depuis un programme du projet</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Les variables de cette extension sont déclarées dans {0}&#x202f;; son code en C ou en Python n’est pas exécuté. Écrivez-les en ST comme le fait le code</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>La version 0201 ne prend pas en charge les arguments du constructeur de {0}&#x202f;; ils ont été omis</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Changer de thème</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Symbole de voyant</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Ampoule</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5444,8 +5492,8 @@
         <translation>«&#xa0;Pourquoi pas&#x202f;?&#xa0;» demande une condition (BOOL), par exemple «&#xa0;Main.level &gt; 80&#xa0;»</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>le programme n’a pas été compilé à partir de sources</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>le programme n’a pas été compilé à partir de sources&#x202f;; ouvrez son projet</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>{0} est injoignable en TLS&#xa0;: {1}&#x202f;; démarrez son automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>{0} est injoignable&#xa0;: {1}&#x202f;; vérifiez l’adresse et le réseau</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Rien ne répond à {0}&#x202f;; vérifiez le port et si «&#xa0;stepwise serve&#xa0;» y est en marche</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>Il n’y a pas d’ordinateur nommé {0}&#x202f;; vérifiez le nom dans l’adresse</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>Le serveur à {0} n’est pas un automate démarré avec «&#xa0;stepwise serve&#xa0;»&#x202f;; vérifiez l’hôte et le port</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>Le serveur à {0} ne parle pas TLS&#x202f;; démarrez l’automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>L’encodage {0} est inconnu&#x202f;; choisissez parmi {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>«&#xa0;{0}&#xa0;» doit être une liste de noms&#x202f;; écrivez-les entre guillemets, entre crochets</translation>
     </message>
 </context>
 <context>
@@ -6648,6 +6720,14 @@
         <source>Residuals</source>
         <translation>Résidus</translation>
     </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>La sortie du régulateur et la valeur mesurée sont identiques à chaque échantillon&#x202f;; choisissez une autre valeur mesurée</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups. Vérifiez-le avec le régulateur en manuel&#xa0;: l’oscillation s’arrête alors&#x202f;; si elle continue, la cause est externe.</translation>
+    </message>
 </context>
 <context>
     <name>Waveform</name>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Les temps de {0} reculent&#x202f;; enregistrez la trace de nouveau</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>Le fichier est vide&#x202f;; exportez de nouveau le tableau</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>Le tableau a {0} colonnes {1}&#x202f;; donnez à chacune son propre en-tête</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>La colonne {0} ne contient pas de nombres&#x202f;; choisissez-en une parmi {1}</translation>
     </message>
 </context>
 <context>
@@ -8345,6 +8437,34 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Help</source>
         <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Aller à</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Signets</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Volets</translation>
     </message>
 </context>
 <context>
@@ -11175,6 +11295,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Choisissez un tableau à un indice, par exemple Plant.Valves.</translation>
+    </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>Elles vont jusqu’à %1 × %2, la vue seulement jusqu’à %3 × %4&#xa0;: réduisez la vue d’objet ou agrandissez la vue.</translation>
     </message>
 </context>
 <context>

@@ -335,20 +335,20 @@
         <translation>名称与类型之间缺少冒号；请添加</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>小数使用点号：{0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>小数使用点号；请写 {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>缺少 {0}；POU 在此处结束</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>缺少 {0}：POU 在此处结束；请添加</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>此处缺少分号；语句在此处结束</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>缺少分号：语句在此处结束；请添加</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} 包含自身；请使用 REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>{0} 的参数必须与被重写的方法一致</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>{0} 的参数必须与被重写的方法一致；请复制其声明</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>条件 {0} 不是 defined、hasvalue、hasattribute、hastype 与 NOT、AND、OR 的组合</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>条件 {0} 未知；请用 NOT、AND 和 OR 组合 defined、hasvalue、hasattribute 和 hastype</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} 需要项目未预留的内存；请在 project.json 中写入 &quot;memoryForNew&quot;: 65536</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} 不是此程序的功能块；只有功能块可以有自己的任务</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} 不是此程序的功能块，不能有自己的任务；请指定其中一个功能块</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} 只能在 TEST 中使用；请将其移到测试中</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>不是 UTF-8 文本；请将文件保存为 UTF-8，若不是文本文件，请从项目中移除</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} 不是动作限定符；请使用 N、R、S、L、D、P、P0、P1、SD、DS 或 SL</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>在另一种语言中没有对应形式：{0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>这是文件夹；需要文件</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>这是文件夹；请选择文件</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>这是设备；需要文件</translation>
+        <source>This is a device; choose a file</source>
+        <translation>这是设备；请选择文件</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>本次运行与记录 {0} 不同；若新的行为正确，请删除它以重新记录</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>无法计算条件</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>无法计算条件；请使用变量、运算符和标准函数</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -2008,8 +2016,8 @@
         <translation>{0}（已用 {1} 尝试）</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>程序不是由源文件编译的。</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>程序不是由源文件编译的；请打开其项目。</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>此扫描周期已不在记录中；请选择较晚的扫描周期。</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值；请选择较晚的扫描周期。</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2715,6 +2723,10 @@
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
         <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。起始画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
     </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} 不是语言代码；请使用 {1} 或 {2} 这样的代码</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -3328,6 +3340,34 @@
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>程序使用了库 {1} 中的 {0}，它们涉及仿真控制器之外的内容；请声明同名的 POU，实现仿真所需的功能</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>{0} 中的条件用块绘制；动作 {1} 从初始步起在每个扫描周期运行，并调用它们</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>{0} 的图形主体未读取；请在 CODESYS V3 中打开项目，并导出为 PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>{0} 的图形主体未读取：不知道 {1} 的输入顺序。请将声明 {1} 的文件与此文件一起导入</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>程序使用了 {0}，但没有文件声明它；项目使用包含它的库 {1}</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>任务 {0} 运行库中的程序 {1}；该程序已略去。请从项目的程序中调用机器所需的部分</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>此扩展的变量在 {0} 中声明；其 C 或 Python 代码不会执行。请用 ST 按该代码的作用写入这些变量</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>版本 0201 不支持 {0} 的构造函数参数；已略去</translation>
     </message>
 </context>
 <context>
@@ -5171,6 +5211,14 @@
         <source>Change the theme</source>
         <translation>切换主题</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>指示灯符号</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>灯泡</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5443,8 +5491,8 @@
         <translation>“为什么不”需要条件 (BOOL)，例如“Main.level &gt; 80”</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>程序不是由源文件编译的</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>程序不是由源文件编译的；请打开其项目</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6113,6 +6161,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>无法通过 TLS 连接 {0}：{1}；请用 --certificate 启动其控制器，或在同一台计算机上使用 http 地址</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>无法访问 {0}：{1}；请检查地址和网络</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>{0} 没有响应；请检查端口，以及“stepwise serve”是否在那里运行</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>没有名为 {0} 的计算机；请检查地址中的名称</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>{0} 处的服务器不是用“stepwise serve”启动的控制器；请检查主机和端口</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>{0} 处的服务器不支持 TLS；请用 --certificate 启动控制器，或在同一台计算机上使用 http 地址</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6123,6 +6191,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>未知编码 {0}；请从 {1} 中选择</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>“{0}”必须是名称列表；请将名称加引号，放在方括号中</translation>
     </message>
 </context>
 <context>
@@ -6646,6 +6718,14 @@
         <source>Residuals</source>
         <translation>残差</translation>
     </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>控制器输出和测量值在每个采样中都相同；请选择其他测量值</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。请将调节器切换到手动进行检查：此时振荡会停止；若振荡继续，则原因在外部。</translation>
+    </message>
 </context>
 <context>
     <name>Waveform</name>
@@ -6728,6 +6808,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>{0} 的时间倒退；请重新保存跟踪</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>文件为空；请重新导出表格</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>表中有 {0} 列 {1}；请给每列不同的标题</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>列 {0} 没有数字；请从 {1} 中选择</translation>
     </message>
 </context>
 <context>
@@ -8337,6 +8429,34 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Help</source>
         <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>转到</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>停靠窗口</translation>
     </message>
 </context>
 <context>
@@ -11159,6 +11279,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>请选择只有一个下标的数组，例如 Plant.Valves。</translation>
+    </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>它们延伸到 %1 × %2，而画面只到 %3 × %4：请缩小面板组件或扩大画面。</translation>
     </message>
 </context>
 <context>

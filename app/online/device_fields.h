@@ -1,5 +1,5 @@
-// The fields of devices.json as the window names them: which ones a device or channel has, their titles and the words to
-// choose from. Pure lookups without state; DevicesView uses them on the GUI thread.
+// The fields of devices.json as the window names them: which ones a device or channel has, their titles and the words
+// to choose from. Pure lookups without state; DevicesView uses them on the GUI thread.
 #pragma once
 
 #include "projects/devices/configuration/device.h"
