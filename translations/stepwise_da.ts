@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
-        <translation>”{0}” skal være en tid som ”100ms” eller ”2s”, mindst {1} ms og højst en time</translation>
+        <translation>”{0}” skal være en tid som ”100ms” eller ”2s”, mindst {1}&#xa0;ms og højst en time</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
-        <translation>intet svar inden for {0} ms; kontroller kabel, adresse og enhedsnummer</translation>
+        <translation>intet svar inden for {0}&#xa0;ms; kontroller kabel, adresse og enhedsnummer</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>forbindelsen sluttede: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>forbindelsen blev afbrudt: {0}; den oprettes igen</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>no client has written for {0} ms; check the client and its address</source>
-        <translation>ingen klient har skrevet i {0} ms; kontroller klienten og dens adresse</translation>
+        <translation>ingen klient har skrevet i {0}&#xa0;ms; kontroller klienten og dens adresse</translation>
     </message>
     <message>
         <source>the broker rejects the connection: {0}; check the user and the password</source>
@@ -304,7 +304,7 @@
     </message>
     <message>
         <source>Unterminated string; add the closing quote</source>
-        <translation>Teksten er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
+        <translation>Strengen er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
     </message>
     <message>
         <source>This is not valid UTF-8; save the file as UTF-8</source>
@@ -335,20 +335,20 @@
         <translation>Der mangler et kolon mellem navnet og dets type; tilføj det</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>Decimaltal bruger punktum: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>Decimaltal bruger punktum; skriv {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>{0} mangler; programenheden slutter her</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>{0} mangler: programenheden slutter her; tilføj det</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Her mangler et semikolon; sætningen slutter her</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Der mangler et semikolon: sætningen slutter her; tilføj det</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} indeholder sig selv; brug REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Parametrene i {0} skal svare til den tilsidesatte metodes</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Parametrene i {0} skal svare til den tilsidesatte metodes; kopier dens erklæringer</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>Betingelsen {0} består ikke af defined, hasvalue, hasattribute eller hastype med NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>Betingelsen {0} er ukendt; kombiner defined, hasvalue, hasattribute og hastype med NOT, AND og OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} kræver hukommelse, som projektet ikke afsætter; skriv &quot;memoryForNew&quot;: 65536 i project.json</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} er ikke en blok i dette program; kun en blok kan have sin egen task</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} er ikke en blok i dette program og kan ikke have sin egen task; angiv en af dets blokke</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -818,6 +818,14 @@
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} er kun tilladt i en TEST; flyt det dertil</translation>
     </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>Dette er ikke tekst i UTF-8; gem filen som UTF-8, eller fjern den fra projektet, hvis den ikke er en tekstfil</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} er ikke en aktionskvalifikator; brug N, R, S, L, D, P, P0, P1, SD, DS eller SL</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -831,7 +839,7 @@
     </message>
     <message>
         <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
+        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen, næste gang der gemmes?</translation>
     </message>
     <message>
         <source>Compare…</source>
@@ -843,7 +851,7 @@
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation>Behold mine</translation>
+        <translation>Behold min version</translation>
     </message>
 </context>
 <context>
@@ -873,11 +881,11 @@
     </message>
     <message>
         <source>character {0} is read from an empty string; check LEN first</source>
-        <translation>adgang til tegn {0} i en tom tekst; kontroller først LEN</translation>
+        <translation>adgang til tegn {0} i en tom streng; kontroller først LEN</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
-        <translation>tegn {0} ligger uden for {1}..{2} i teksten; brug et indeks i dette område</translation>
+        <translation>tegn {0} ligger uden for {1}..{2} i strengen; brug et indeks i dette område</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1177,7 +1185,7 @@
     </message>
     <message>
         <source>a character of a string has no address of its own; use the whole string</source>
-        <translation>et tegn i en tekst har ingen egen adresse; brug hele teksten</translation>
+        <translation>et tegn i en streng har ingen egen adresse; brug hele strengen</translation>
     </message>
     <message>
         <source>this variable cannot be shown; assign it to another variable and watch that one</source>
@@ -1213,7 +1221,7 @@
     </message>
     <message>
         <source>The code generator produced an invalid module: {0}</source>
-        <translation>Kodegeneratoren lavede et ugyldigt modul: {0}</translation>
+        <translation>Kodegeneratoren dannede et ugyldigt modul: {0}</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1237,11 +1245,11 @@
     </message>
     <message>
         <source>This body is not an instruction list; choose a unit that is written in IL</source>
-        <translation>Denne krop er ikke en instruktionsliste; vælg en enhed, der er skrevet i IL</translation>
+        <translation>Denne krop er ikke en instruktionsliste; vælg en programenhed, der er skrevet i IL</translation>
     </message>
     <message>
         <source>This body is not ST; choose a unit that is written in ST</source>
-        <translation>Denne krop er ikke ST; vælg en enhed, der er skrevet i ST</translation>
+        <translation>Denne krop er ikke ST; vælg en programenhed, der er skrevet i ST</translation>
     </message>
     <message>
         <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
@@ -1264,12 +1272,12 @@
         <translation>Der er intet modstykke i det andet sprog: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>Det er en mappe; der kræves en fil</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>Det er en mappe; vælg en fil</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>Det er en enhed; der kræves en fil</translation>
+        <source>This is a device; choose a file</source>
+        <translation>Det er en enhed; vælg en fil</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1420,8 +1428,8 @@
         <translation>Kørslen afviger fra optagelsen {0}; slet den for at optage den igen, hvis den nye opførsel er rigtig</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>betingelsen kan ikke beregnes</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>betingelsen kan ikke beregnes; brug variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -1605,7 +1613,7 @@
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
+        <translation>To elementer har id’et ”{0}”; ret det ene</translation>
     </message>
     <message>
         <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
@@ -1621,11 +1629,11 @@
     </message>
     <message>
         <source>The first line must be {0} and one language tag per column</source>
-        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
+        <translation>Den første linje skal være {0} og en sprogkode pr. kolonne</translation>
     </message>
     <message>
         <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
-        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}; sæt tekster med skilletegn i anførselstegn</translation>
+        <translation>Denne linje har {0} {0:felt|felter}, overskriften har {1}; sæt tekster med skilletegn i anførselstegn</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1685,11 +1693,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
-        <translation>”{0}” passer ikke: kræver {1} px, højst {2} er mulig; gør elementet bredere eller teksten kortere</translation>
+        <translation>”{0}” passer ikke: kræver {1}&#xa0;px, men der er kun plads til {2}; gør elementet bredere eller teksten kortere</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
-        <translation>”{0}” passer ikke: kræver en højde på {1} px, højst {2} er mulig; gør elementet højere eller teksten kortere</translation>
+        <translation>”{0}” passer ikke: kræver en højde på {1}&#xa0;px, men der er kun plads til {2}; gør elementet højere eller teksten kortere</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1720,8 +1728,8 @@
         <translation>{0} er {1}; her kræves en enkelt værdi</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>En pladsholder er ikke lukket med {0}</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>En pladsholder er ikke lukket; tilføj {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1781,7 +1789,7 @@
     </message>
     <message>
         <source>It contains nothing that can be imported; export the project again with its units</source>
-        <translation>Der er intet i den, som kan importeres; eksporter projektet igen med dets enheder</translation>
+        <translation>Der er intet i den, som kan importeres; eksporter projektet igen med dets programenheder</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
@@ -1797,7 +1805,7 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Filen har kodningen {0}, som ikke understøttes; gem den som UTF-8</translation>
+        <translation>Filen har tegnkodningen {0}, som ikke understøttes; gem den som UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
@@ -1857,15 +1865,15 @@
     </message>
     <message>
         <source>The XML is wrong: {0}; export the file again</source>
-        <translation>XML&apos;en er forkert: {0}; eksporter filen igen</translation>
+        <translation>XML’en er forkert: {0}; eksporter filen igen</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
         <translation>Teksten til nøglen {0} på {1} er ændret siden eksporten; kontroller oversættelsen</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>Oversættelsen af nøglen {0} har andre pladsholdere end kilden og blev ikke overtaget</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>Oversættelsen af nøglen {0} har andre pladsholdere end kilden og blev ikke overtaget; brug de samme</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1873,11 +1881,11 @@
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
-        <translation>Billedet {0} fylder mere end {1} MB udpakket; brug et mindre</translation>
+        <translation>Billedet {0} fylder mere end {1}&#xa0;MB udpakket; brug et mindre</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke; brug et mindre</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1984,12 @@
         <translation>Ingen tekst fortæller, hvad dette gør; tilføj en, eller sæt en ved siden af</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} ligger mellem {1} og {2} i optagelsen, så området fra {3} til {4} skærer noget af</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} ligger mellem {1} og {2} i optagelsen, så området fra {3} til {4} skærer noget af; gør området større</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} er ikke mellem {1} og {2}; {3} bruges</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} er ikke mellem {1} og {2}, så {3} bruges; ret værdien</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (prøvet med {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>Programmet blev ikke oversat fra kildetekster.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>Programmet blev ikke oversat fra kildetekster; åbn dets projekt.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Dette scan er ikke længere i optagelsen; vælg et senere scan.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt; vælg et senere scan.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2052,8 +2060,8 @@
         <translation>Rammen {0} har intet panelområde, så intet panel vises i den; tilføj et</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Kun for rollerne {0}, men projektet har ingen brugere, så enhver må betjene det; tilføj brugere</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2145,27 +2153,27 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>En skrift på {0} px kan ikke læses på {2} mm; brug mindst {1} px</translation>
+        <translation>En skrift på {0}&#xa0;px kan ikke læses på {2}&#xa0;mm; brug mindst {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>Faceplaten er så lille her, at dens mindste skrift er {0} px; på {2} mm kræves {1} px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>Faceplaten er så lille her, at dens mindste skrift er {0}&#xa0;px; på {2}&#xa0;mm kræves {1}&#xa0;px; gør den større</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Faceplaten er så lille her, at en finger kun har {0} px at trykke på; der kræves {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>Faceplaten er så lille her, at en finger kun har {0}&#xa0;px at trykke på; der kræves {1}&#xa0;px; gør den større</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2} px i begge retninger</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2}&#xa0;px i begge retninger; gør elementet større</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for dets størrelse er {1}; flyt nogle til et andet panel</translation>
+        <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for størrelsen er {1}; flyt nogle til et andet panel</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>Panelet {0} er {1} tryk fra startpanelet; {2} bør række</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>Panelet {0} er {1} tryk fra startpanelet; tilføj en vej med højst {2}</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -2177,7 +2185,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Normale tilstande er grå, så afvigelser ses (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun tilstande farve.</translation>
+        <translation>Normale tilstande er grå, så afvigelser ses (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun farve gennem betingelser.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2185,7 +2193,7 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
-        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
+        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Farverollerne sikrer det i alle temaer.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
@@ -2201,7 +2209,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Det, der er på flere paneler, findes uden at kigge, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
+        <translation>Det, der er på flere paneler, finder operatøren uden at lede, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2221,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>Fingeren smutter og sender 500 i stedet for 50. Grænser afviser det, hvor det tastes.</translation>
+        <translation>En tastefejl sender 500 i stedet for 50. Grænser afviser den ved indtastningen.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2225,7 +2233,7 @@
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
-        <translation>Hvis alt haster, haster intet: ca. 5 % af alarmerne bør have den højeste prioritet, 15 % den næste (ISA-18.2).</translation>
+        <translation>Hvis alt haster, haster intet: ca. 5&#xa0;% af alarmerne bør have den højeste prioritet, 15&#xa0;% den næste (ISA-18.2).</translation>
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
@@ -2241,7 +2249,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>En finger kræver 7 mm i begge retninger, i handske 9 mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
+        <translation>En finger kræver 7&#xa0;mm i begge retninger, i handske 9&#xa0;mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2385,7 +2393,7 @@
     </message>
     <message>
         <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
-        <translation>To alarmer har id&apos;et ”{0}”; ret det ene</translation>
+        <translation>To alarmer har id’et ”{0}”; ret det ene</translation>
     </message>
     <message>
         <source>The quote that opens here is never closed; add one at the end of the text</source>
@@ -2425,7 +2433,7 @@
     </message>
     <message>
         <source>The picture {0} is larger than {1} MB; use a smaller one</source>
-        <translation>Billedet {0} er større end {1} MB; brug et mindre</translation>
+        <translation>Billedet {0} er større end {1}&#xa0;MB; brug et mindre</translation>
     </message>
     <message>
         <source>The faceplate does not say which panel it shows; choose one</source>
@@ -2485,7 +2493,7 @@
     </message>
     <message>
         <source>a string has one index; remove the others</source>
-        <translation>en tekst har ét indeks; fjern de andre</translation>
+        <translation>en streng har ét indeks; fjern de andre</translation>
     </message>
     <message>
         <source>a variable of type {0} has no elements; remove the index</source>
@@ -2601,7 +2609,7 @@
     </message>
     <message>
         <source>Column {0} has no language tag; write one such as de or en-GB</source>
-        <translation>Kolonne {0} har intet sprogmærke; skriv for eksempel de eller en-GB</translation>
+        <translation>Kolonne {0} har ingen sprogkode; skriv for eksempel de eller en-GB</translation>
     </message>
     <message>
         <source>This line has no key; write one in the first column</source>
@@ -2713,7 +2721,11 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Det panel, man ser først, skal sige, hvad man skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
+        <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Startpanelet skal sige, hvad man nu skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
+    </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} er ikke en sprogkode; brug koder som {1} eller {2}</translation>
     </message>
 </context>
 <context>
@@ -2900,7 +2912,7 @@
     </message>
     <message>
         <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskift</translation>
+        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskiftning</translation>
     </message>
     <message>
         <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
@@ -2936,7 +2948,7 @@
     </message>
     <message>
         <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>En ventil doserer i pulser og pauser, til batchen er fuldendt</translation>
+        <translation>En ventil doserer i pulser og pauser, indtil batchen er færdig</translation>
     </message>
     <message>
         <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
@@ -2944,7 +2956,7 @@
     </message>
     <message>
         <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
-        <translation>Silo, beholder, transportbånd og lastbil, styret af tre SFC-diagrammer side om side</translation>
+        <translation>Silo, beholder, transportbånd og lastbil, styret af tre parallelle SFC-diagrammer</translation>
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
@@ -2964,7 +2976,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>En niveausensor på 4 til 20 mA, tre lamper og registrering af ledningsbrud</translation>
+        <translation>En niveausensor på 4 til 20&#xa0;mA, tre lamper og registrering af ledningsbrud</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3056,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>En strøm på 4 til 20 mA bliver til et niveau, og niveauet til et volumen</translation>
+        <translation>En strøm på 4 til 20&#xa0;mA bliver til et niveau, og niveauet til et volumen</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3122,12 +3134,12 @@
         <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt; forbind det i det andet værktøj, og eksporter igen</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>Transitionen fra {0} har ingen betingelse og er skrevet som FALSE; indtast dens betingelse</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi, så dets sidste værdi bevares ikke; gem den i en variabel</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3150,12 @@
         <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer; gør den til en FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted; tildel det til en variabel for at beregne det én gang</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>Typen af resultatet af {0} er ikke kendt, så det beregnes, selv om EN er FALSE; kald det under et IF</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -3171,11 +3183,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende; skriv dets krop i ST</translation>
+        <translation>Diagrammet i {0} blev ikke læst: et udtryk henviser til sig selv uden ende; skriv dets krop i ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre; kald blokken før, og brug dens udgang</translation>
+        <translation>En betingelse i {0} kalder en blok, hvilket ikke er muligt i en betingelse; kald blokken før, og brug dens udgang</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3255,7 +3267,7 @@
     </message>
     <message>
         <source>The file is not a program source and was left out; import it separately if it is one</source>
-        <translation>Filen er ingen programkilde og blev udeladt; importer den alene, hvis den er en</translation>
+        <translation>Filen er ikke en programkilde og blev udeladt; importer den alene, hvis den er det</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3263,7 +3275,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Typer, som {0} har i sig selv, er erklæret her</translation>
+        <translation>Typer, der er foruddefineret i {0}, er erklæret her</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3271,19 +3283,19 @@
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
-        <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan angive; flyt den til et multiplum af dens størrelse</translation>
+        <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan adressere; flyt den til et multiplum af dens størrelse</translation>
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} rækker ud over styringen; den er erklæret her med sine indgange og udgange og gør intet</translation>
+        <translation>{0} bruger systemet uden for styringen; den er erklæret her med sine indgange og udgange, men gør intet</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden {0} foran</translation>
+        <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden præfikset {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise har selv navnene i biblioteket {0}; de skrives uden {0} foran</translation>
+        <translation>Navnene i biblioteket {0} er indbygget i Stepwise; de skrives uden præfikset {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3307,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>Dette er et ZIP-arkiv, uanset hvad det hedder; pak det ud, og importer mappen</translation>
+        <translation>Dette er et ZIP-arkiv trods navnet; pak det ud, og importer mappen</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3319,7 +3331,7 @@
     </message>
     <message>
         <source>The file is not valid UTF-8 and specifies no other encoding; it was read as {0}. If letters are wrong, import it again with another encoding</source>
-        <translation>Filen er ikke gyldig UTF-8 og angiver ingen anden tegnkodning; den blev læst som {0}. Hvis bogstaver er forkerte, så importér den igen med en anden tegnkodning</translation>
+        <translation>Filen er ikke gyldig UTF-8 og angiver ingen anden tegnkodning; den blev læst som {0}. Hvis bogstaver er forkerte, så importer den igen med en anden tegnkodning</translation>
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
@@ -3327,7 +3339,35 @@
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
-        <translation>Programmet bruger {0} fra biblioteket {1}, som rækker ud over en simuleret styring; erklær POU&apos;er med disse navne, som gør det, simuleringen skal bruge</translation>
+        <translation>Programmet bruger {0} fra biblioteket {1}, som rækker ud over en simuleret styring; erklær POU’er med disse navne, som gør det, simuleringen skal bruge</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Betingelser i {0} er tegnet med blokke; aktionen {1}, der kører i hvert scan fra starttrinnet, kalder dem</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>Den tegnede krop i {0} blev ikke læst; åbn projektet i CODESYS V3, og eksporter det dér som PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>Den tegnede krop i {0} blev ikke læst: rækkefølgen af indgangene på {1} er ikke kendt. Importer filen, der erklærer {1}, sammen med denne</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>Programmet bruger {0}, som ingen af dets filer erklærer; projektet bruger biblioteket {1}, som indeholder det</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>Tasken {0} kører {1}, et program i et bibliotek; det blev udeladt. Kald det, maskinen har brug for af det, fra et program i projektet</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Denne udvidelses variabler er erklæret i {0}; dens kode i C eller Python udføres ikke. Skriv til dem i ST det, som koden gør</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>Version 0201 understøtter ikke konstruktørargumenterne til {0}; de blev udeladt</translation>
     </message>
 </context>
 <context>
@@ -3370,11 +3410,11 @@
     </message>
     <message>
         <source>%1: no peak, RMS %2</source>
-        <translation>%1: ingen top, RMS %2</translation>
+        <translation>%1: ingen top, effektivværdi %2</translation>
     </message>
     <message>
         <source>%1: %2, RMS %3</source>
-        <translation>%1: %2, RMS %3</translation>
+        <translation>%1: %2, effektivværdi %3</translation>
     </message>
     <message>
         <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
@@ -3819,7 +3859,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Trin</translation>
+        <translation>Trappe</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3927,7 +3967,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Farve kørende</translation>
+        <translation>Farve (kørende)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3959,7 +3999,7 @@
     </message>
     <message>
         <source>Language tag</source>
-        <translation>Sprogmærke</translation>
+        <translation>Sprogkode</translation>
     </message>
     <message>
         <source>Question to confirm</source>
@@ -3971,7 +4011,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Farve lysende</translation>
+        <translation>Farve (lysende)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -3983,11 +4023,11 @@
     </message>
     <message>
         <source>Text on</source>
-        <translation>Tekst til</translation>
+        <translation>Tekst (til)</translation>
     </message>
     <message>
         <source>Text off</source>
-        <translation>Tekst fra</translation>
+        <translation>Tekst (fra)</translation>
     </message>
     <message>
         <source>Colour on</source>
@@ -4099,7 +4139,7 @@
     </message>
     <message>
         <source>Blinks when on</source>
-        <translation>Blinker når tændt</translation>
+        <translation>Blinker, når den er tændt</translation>
     </message>
     <message>
         <source>Multi-state indicator</source>
@@ -4175,11 +4215,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Farve løftet</translation>
+        <translation>Farve (løftet)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Farve hængende</translation>
+        <translation>Farve (hængende)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -4291,7 +4331,7 @@
     </message>
     <message>
         <source>Legend</source>
-        <translation>Forklaring</translation>
+        <translation>Signaturforklaring</translation>
     </message>
     <message>
         <source>Alarm list</source>
@@ -4806,7 +4846,7 @@
     </message>
     <message>
         <source>Sensor</source>
-        <translation>Føler</translation>
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>Lamp</source>
@@ -5006,7 +5046,7 @@
     </message>
     <message>
         <source>Top and bottom</source>
-        <translation>Top og bund</translation>
+        <translation>Øverst og nederst</translation>
     </message>
     <message>
         <source>Scaling to its size</source>
@@ -5022,11 +5062,11 @@
     </message>
     <message>
         <source>Top</source>
-        <translation>Top</translation>
+        <translation>Øverst</translation>
     </message>
     <message>
         <source>Bottom</source>
-        <translation>Bund</translation>
+        <translation>Nederst</translation>
     </message>
     <message>
         <source>Locked</source>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Skift tema</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Lampesymbol</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Elpære</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5185,7 +5233,7 @@
     </message>
     <message>
         <source>set by code that the compiler adds ({0})</source>
-        <translation>sat af det, som compileren tilføjer ({0})</translation>
+        <translation>sat af kode, som compileren tilføjer ({0})</translation>
     </message>
     <message>
         <source>written from outside</source>
@@ -5444,8 +5492,8 @@
         <translation>”Hvorfor ikke?” kræver en betingelse (BOOL), for eksempel ”Main.level &gt; 80”</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>programmet blev ikke oversat fra kildetekster</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>programmet blev ikke oversat fra kildetekster; åbn dets projekt</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -5507,7 +5555,7 @@
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
-        <translation>Dette stykke er ikke længere optaget, eller programmet blev ændret i det; vælg et andet</translation>
+        <translation>Dette område er ikke længere optaget, eller programmet blev ændret i det; vælg et andet</translation>
     </message>
     <message>
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
@@ -5839,7 +5887,7 @@
     </message>
     <message>
         <source>string</source>
-        <translation>tekst</translation>
+        <translation>streng</translation>
     </message>
     <message>
         <source>{0} (a constant)</source>
@@ -6048,12 +6096,12 @@
         <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>Programmet har {0} fejl; ret dem: indtil da fortsætter styringen med det gamle</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Styringens program har ingen fil {0}; hent dens program igen</translation>
+        <translation>Styringens program har ingen fil {0}; indlæs programmet igen</translation>
     </message>
     <message>
         <source>A recording is already being downloaded; wait until it is complete</source>
@@ -6089,7 +6137,7 @@
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>Certifikatet for {0} er ikke betroet: {1}; angiv filen med det certifikat, du har tillid til</translation>
+        <translation>Der er ikke tillid til certifikatet for {0}: {1}; angiv filen med det certifikat, du har tillid til</translation>
     </message>
     <message>
         <source>The certificate cannot be read from {0}; it must be a PEM file</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>{0} kan ikke nås via TLS: {1}; start styringen dér med --certificate, eller brug en http-adresse på samme computer</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>{0} kan ikke nås: {1}; kontroller adressen og netværket</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Intet svarer på {0}; kontroller porten, og om ”stepwise serve” kører dér</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>Der er ingen computer med navnet {0}; kontroller navnet i adressen</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>Serveren på {0} er ikke en styring startet med ”stepwise serve”; kontroller værten og porten</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>Serveren på {0} taler ikke TLS; start styringen med --certificate, eller brug en http-adresse på samme computer</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>Tegnkodningen {0} kendes ikke; vælg en af {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>”{0}” skal være en liste med navne; skriv dem i anførselstegn i kantede parenteser</translation>
     </message>
 </context>
 <context>
@@ -6150,7 +6222,7 @@
     </message>
     <message>
         <source>the input is at a limit for {0} % of the time</source>
-        <translation>indgangen er ved en grænse i {0} % af tiden</translation>
+        <translation>indgangen er ved en grænse i {0}&#xa0;% af tiden</translation>
     </message>
     <message>
         <source>the output moves by only {0} times its noise</source>
@@ -6162,7 +6234,7 @@
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
-        <translation>forstyrret: ingen model forklarer mere end {0} % af det</translation>
+        <translation>forstyrret: ingen model forklarer mere end {0}&#xa0;% af det</translation>
     </message>
     <message>
         <source>usable; not at rest before it</source>
@@ -6170,7 +6242,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang manuelt, og optag det</translation>
+        <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang, og optag responsen</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6178,7 +6250,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Ingen model forklarer, hvad udgangen gør; noget andet bevæger den</translation>
+        <translation>Ingen model forklarer udgangen; noget andet påvirker den</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6194,7 +6266,7 @@
     </message>
     <message>
         <source>Brisk: fast, with slight oscillation; the process should not change much.</source>
-        <translation>Rask: hurtig, og den svinger lidt; processen bør ikke ændre sig meget.</translation>
+        <translation>Rask: hurtig, med svage svingninger; processen bør ikke ændre sig meget.</translation>
     </message>
     <message>
         <source>Good: fast enough, and tolerant of the usual process changes.</source>
@@ -6210,7 +6282,7 @@
     </message>
     <message>
         <source>A step of the set point overshoots by {0} %.</source>
-        <translation>Et spring i setpunktet giver {0} % oversving.</translation>
+        <translation>Et spring i setpunktet giver {0}&#xa0;% oversving.</translation>
     </message>
     <message>
         <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
@@ -6218,7 +6290,7 @@
     </message>
     <message>
         <source>The rule considers only one lag; check the margins.</source>
-        <translation>Reglen ser kun på én tidskonstant; kontroller marginerne.</translation>
+        <translation>Reglen tager kun hensyn til én tidskonstant; kontroller marginerne.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -6358,7 +6430,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Det svinger med en periode på {0} s og en amplitude på {1}, {2} perioder i træk.</translation>
+        <translation>Det svinger med en periode på {0}&#xa0;s og en amplitude på {1}, {2} perioder i træk.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6374,15 +6446,15 @@
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
-        <translation>Den sandsynlige årsag er udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
+        <translation>Den sandsynlige årsag kommer udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
-        <translation>Udgangen er ved en grænse i {0} % af tiden.</translation>
+        <translation>Udgangen er ved en grænse i {0}&#xa0;% af tiden.</translation>
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0} % af det, måleværdien gør, er støj.</translation>
+        <translation>{0}&#xa0;% af måleværdiens bevægelse er støj.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -6394,7 +6466,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen manuelt én gang, og optag det</translation>
+        <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen én gang, og optag responsen</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6474,7 +6546,7 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>ændret</translation>
+        <translation>ændring</translation>
     </message>
     <message>
         <source>from</source>
@@ -6554,7 +6626,7 @@
     </message>
     <message>
         <source>Bode plot</source>
-        <translation>Bode-diagram</translation>
+        <translation>Bodediagram</translation>
     </message>
     <message>
         <source>Set point and measured value</source>
@@ -6606,11 +6678,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>tidskonstant {0} s ± {1} s</translation>
+        <translation>tidskonstant {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>frekvens {0} rad/s ± {1} rad/s</translation>
+        <translation>frekvens {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6690,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>nulpunkt {0} s ± {1} s</translation>
+        <translation>nulpunkt {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>dødtid {0} s ± {1} s</translation>
+        <translation>dødtid {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6647,6 +6719,14 @@
     <message>
         <source>Residuals</source>
         <translation>Residualer</translation>
+    </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>Regulatorudgangen og måleværdien er ens i hver måling; vælg en anden måleværdi</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring. Kontroller det med regulatoren i manuel: Så hører svingningen op; fortsætter den, kommer årsagen udefra.</translation>
     </message>
 </context>
 <context>
@@ -6697,7 +6777,7 @@
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
-        <translation>Indgangen ændrer sig ikke her, så der er intet svar; vis et andet afsnit</translation>
+        <translation>Indgangen ændrer sig ikke her, så der er ingen respons; vis et andet område</translation>
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Tiderne for {0} løber baglæns; gem tracen igen</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>Filen er tom; eksporter tabellen igen</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>Tabellen har {0} kolonner {1}; giv hver sin egen overskrift</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>Kolonne {0} har ingen tal; vælg en af {1}</translation>
     </message>
 </context>
 <context>
@@ -6764,7 +6856,7 @@
     </message>
     <message>
         <source>Trusted certificate</source>
-        <translation>Betroet certifikat</translation>
+        <translation>Certifikat, du har tillid til</translation>
     </message>
     <message>
         <source>Attach</source>
@@ -6984,7 +7076,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 forespørgsler, %2 fejl, %3 ms</translation>
+        <translation>%1 forespørgsler, %2 fejl, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -6993,6 +7085,10 @@
     <message>
         <source>online: %1 of %2</source>
         <translation>online: %1 af %2</translation>
+    </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>”%1” i devices.json</translation>
     </message>
 </context>
 <context>
@@ -7455,15 +7551,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % belastning</translation>
+        <translation>%1&#xa0;µs · %2&#xa0;% belastning</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 MB optaget</translation>
+        <translation>%1&#xa0;MB optaget</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 scan, højst %2 MB</translation>
+        <translation>%1 scan, højst %2&#xa0;MB</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -8005,7 +8101,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Delete and Comment Out the Uses</source>
-        <translation>Slet, udkommenter anvendelserne</translation>
+        <translation>Slet, og udkommenter anvendelserne</translation>
     </message>
     <message>
         <source>Show the Uses</source>
@@ -8069,7 +8165,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 is encoded in %2 and will be saved in that encoding</source>
-        <translation>%1 er kodet i %2 og gemmes i den kodning</translation>
+        <translation>%1 har tegnkodningen %2 og gemmes i den</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -8109,7 +8205,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Speed of the controller; any factor can be entered:</source>
-        <translation>Styringens hastighed; enhver faktor kan skrives:</translation>
+        <translation>Styringens hastighed; enhver faktor kan indtastes:</translation>
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
@@ -8342,6 +8438,34 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Help</source>
         <translation>Hjælp</translation>
     </message>
+    <message>
+        <source>Go To</source>
+        <translation>Gå til</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Bogmærker</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Nulstilling</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Optagelse</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Vinduer</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8437,7 +8561,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Ét program i en task på 10 ms</translation>
+        <translation>Ét program i en task på 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -8453,7 +8577,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>A temperature loop with its plant</source>
-        <translation>En temperatursløjfe med sit anlæg</translation>
+        <translation>En temperatursløjfe med tilhørende anlæg</translation>
     </message>
     <message>
         <source>Sequence</source>
@@ -8497,7 +8621,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Enter a project name</source>
-        <translation>Projektet skal have et navn</translation>
+        <translation>Angiv et projektnavn</translation>
     </message>
     <message>
         <source>%1 already exists and is not empty; choose another name</source>
@@ -8576,7 +8700,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Enter a name</source>
-        <translation>Giv den et navn</translation>
+        <translation>Angiv et navn</translation>
     </message>
     <message>
         <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
@@ -8853,7 +8977,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Text to find in all files</source>
-        <translation>Tekst at søge i alle filer</translation>
+        <translation>Tekst at søge efter i alle filer</translation>
     </message>
     <message>
         <source>Replace with</source>
@@ -8873,7 +8997,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Find</source>
-        <translation>Find</translation>
+        <translation>Søg</translation>
     </message>
     <message>
         <source>Replace All</source>
@@ -9209,7 +9333,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
@@ -9606,7 +9730,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::DeclarationTable</name>
     <message>
         <source>Section</source>
-        <translation>Sektion</translation>
+        <translation>Afsnit</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9713,11 +9837,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::FindBar</name>
     <message>
         <source>Find</source>
-        <translation>Find</translation>
+        <translation>Søg</translation>
     </message>
     <message>
         <source>Text to find</source>
-        <translation>Tekst at finde</translation>
+        <translation>Tekst at søge efter</translation>
     </message>
     <message>
         <source>Replace with</source>
@@ -9798,11 +9922,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Release selected</source>
-        <translation>Ophæv valgte</translation>
+        <translation>Ophæv forcering af de valgte</translation>
     </message>
     <message>
         <source>Release all</source>
-        <translation>Ophæv alle</translation>
+        <translation>Ophæv al forcering</translation>
     </message>
 </context>
 <context>
@@ -10178,7 +10302,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Oversat på %1 ms</translation>
+        <translation>Oversat på %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
@@ -10468,11 +10592,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Response to the set point</source>
-        <translation>Reaktion på setpunktet</translation>
+        <translation>Respons på setpunktet</translation>
     </message>
     <message>
         <source>Response to a disturbance</source>
-        <translation>Reaktion på en forstyrrelse</translation>
+        <translation>Respons på en forstyrrelse</translation>
     </message>
     <message>
         <source>Simulation with the actual block</source>
@@ -10520,7 +10644,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation>Flyttet</translation>
+        <translation>Ændring</translation>
     </message>
     <message>
         <source>From</source>
@@ -10615,7 +10739,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1, explains %2 %</source>
-        <translation>%1, forklarer %2 %</translation>
+        <translation>%1, forklarer %2&#xa0;%</translation>
     </message>
     <message>
         <source>set point</source>
@@ -10675,7 +10799,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Settling time</source>
@@ -10791,7 +10915,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Responses</source>
-        <translation>Svar</translation>
+        <translation>Responser</translation>
     </message>
     <message>
         <source>Start the controller or open a recording to search it for steps.</source>
@@ -10935,7 +11059,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
-        <translation>Tal som decimaler, hexadecimalt eller binært, eller millisekunder som tid</translation>
+        <translation>Tal decimalt, hexadecimalt eller binært, eller millisekunder som tid</translation>
     </message>
     <message>
         <source>%1 … %2</source>
@@ -11172,6 +11296,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Vælg et array med ét indeks, for eksempel Plant.Valves.</translation>
     </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>De når til %1 × %2, panelet kun til %3 × %4: gør faceplaten mindre eller panelet større.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::ArrayDialog</name>
@@ -11189,7 +11317,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Vertical gap</source>
-        <translation>Afstand lodret</translation>
+        <translation>Lodret afstand</translation>
     </message>
     <message>
         <source>Index step</source>
@@ -11280,7 +11408,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Meddelelse</translation>
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11324,7 +11452,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Juster centre</translation>
+        <translation>Centrer vandret</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -11336,7 +11464,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Juster midter</translation>
+        <translation>Centrer lodret</translation>
     </message>
     <message>
         <source>Align bottom</source>
@@ -11408,7 +11536,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -11488,7 +11616,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Issues</source>
-        <translation>Meddelelser</translation>
+        <translation>Problemer</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,15 +11722,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Logget af efter</translation>
+        <translation>Log ud efter</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Logget af efter </translation>
+        <translation>Log ud efter </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Logget af efter</translation>
+        <translation>Log ud efter</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11610,7 +11738,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>none: cannot log in</source>
-        <translation>ingen: kan ikke logge på</translation>
+        <translation>ingen: kan ikke logge ind</translation>
     </message>
     <message>
         <source>set</source>
@@ -11626,7 +11754,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>To restrict an element to some users, set its property &quot;Only for the roles&quot;.</source>
-        <translation>Sæt egenskaben »Kun for rollerne« for at begrænse et element til nogle brugere.</translation>
+        <translation>Sæt egenskaben ”Kun for rollerne” for at begrænse et element til nogle brugere.</translation>
     </message>
 </context>
 <context>
@@ -11813,7 +11941,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Language tag, for example de or zh-CN</source>
-        <translation>Sprogmærke, for eksempel de eller zh-CN</translation>
+        <translation>Sprogkode, for eksempel de eller zh-CN</translation>
     </message>
     <message>
         <source>Import CSV</source>
@@ -11913,11 +12041,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation>Importér</translation>
+        <translation>Importer</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Eksportér</translation>
+        <translation>Eksporter</translation>
     </message>
     <message>
         <source>Remove language</source>
@@ -11929,7 +12057,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
-        <translation>%1 er ikke et sprogmærke; vælg et på listen, eller skriv et mærke som de eller zh-CN</translation>
+        <translation>%1 er ikke en sprogkode; vælg en på listen, eller skriv en kode som de eller zh-CN</translation>
     </message>
     <message>
         <source>The table already has %1; choose another language</source>
@@ -12740,7 +12868,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 scan gemt  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
+        <translation>%L1 scan gemt  ·  historik %2 af %3&#xa0;MB  ·  kanaler %4 af %5&#xa0;MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -12845,6 +12973,229 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt *.trace);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokol</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiveret</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Vært</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Enhedsnummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Seriel port</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paritet</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Databit</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stopbit</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Aflæsningsinterval</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tidsgrænse</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Længste pause mellem forsøg</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variabel: enheden svarer</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Klient-id</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Adgangskodefil</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-kryptering</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fil med CA-certifikater</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabel</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit i registret</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Byterækkefølge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Sti i JSON-meddelelsen</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Servicekvalitet (QoS 0 til 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Broker beholder meddelelsen (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Ved tabt forbindelse</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sikker værdi</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variabel: kanalen er gyldig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP-enhed</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU-enhed (seriel)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP-server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskret indgang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Holderegister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Inputregister (indgang)</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Behold den seneste værdi</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Brug den sikre værdi</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Stop styringen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Lige</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ulige</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Indgang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Udgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nej</translation>
     </message>
 </context>
 </TS>

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
-        <translation>„{0}“ muss eine Zeit wie „100ms“ oder „2s“ sein, mindestens {1} ms und höchstens eine Stunde</translation>
+        <translation>„{0}“ muss eine Zeit wie „100ms“ oder „2s“ sein, mindestens {1}&#xa0;ms und höchstens eine Stunde</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
-        <translation>keine Antwort innerhalb von {0} ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
+        <translation>keine Antwort innerhalb von {0}&#xa0;ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>die Verbindung endete: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>die Verbindung wurde beendet: {0}; sie wird wieder aufgebaut</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -221,15 +221,15 @@
     </message>
     <message>
         <source>{0}: the message holds no value that can be read; check what the device publishes</source>
-        <translation>{0}: die Nachricht enthält keinen lesbaren Wert; prüfen Sie, was das Gerät veröffentlicht</translation>
+        <translation>{0}: Die Nachricht enthält keinen lesbaren Wert; prüfen Sie, was das Gerät veröffentlicht</translation>
     </message>
     <message>
         <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
-        <translation>{0}: ein Wert passt nicht in die Variable; verwenden Sie einen größeren Typ oder eine Skalierung</translation>
+        <translation>{0}: Ein Wert passt nicht in die Variable; verwenden Sie einen größeren Typ oder eine Skalierung</translation>
     </message>
     <message>
         <source>no client has written for {0} ms; check the client and its address</source>
-        <translation>seit {0} ms hat kein Client geschrieben; prüfen Sie den Client und seine Adresse</translation>
+        <translation>seit {0}&#xa0;ms hat kein Client geschrieben; prüfen Sie den Client und seine Adresse</translation>
     </message>
     <message>
         <source>the broker rejects the connection: {0}; check the user and the password</source>
@@ -335,20 +335,20 @@
         <translation>Zwischen Name und Typ fehlt ein Doppelpunkt; ergänzen</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>In Dezimalzahlen wird ein Punkt verwendet: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>In Dezimalzahlen wird ein Punkt verwendet; {0} schreiben</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>{0} fehlt; der Baustein endet hier</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>{0} fehlt: Der Baustein endet hier; ergänzen</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Hier fehlt ein Semikolon; die Anweisung endet hier</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Ein Semikolon fehlt: Die Anweisung endet hier; ergänzen</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} enthält sich selbst; REFERENCE TO verwenden</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen; deren Deklarationen übernehmen</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>Die Bedingung {0} besteht nicht aus defined, hasvalue, hasattribute oder hastype mit NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>Die Bedingung {0} ist unbekannt; defined, hasvalue, hasattribute und hastype mit NOT, AND und OR verknüpfen</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -671,8 +671,8 @@
         <translation>{0} braucht Speicher, den das Projekt nicht vorsieht; &quot;memoryForNew&quot;: 65536 in project.json eintragen</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} ist kein Baustein dieses Programms; nur ein Funktionsbaustein kann eine eigene Task haben</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} ist kein Funktionsbaustein dieses Programms und kann keine eigene Task haben; einen seiner Funktionsbausteine angeben</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -818,6 +818,14 @@
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} ist nur in einem TEST erlaubt; dorthin verschieben</translation>
     </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>Das ist kein Text in UTF-8; die Datei als UTF-8 speichern oder, falls sie keine Textdatei ist, aus dem Projekt entfernen</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} ist kein Bestimmungszeichen; N, R, S, L, D, P, P0, P1, SD, DS oder SL verwenden</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -827,7 +835,7 @@
     </message>
     <message>
         <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
+        <translation>%1 wurde von einem anderen Programm geändert und auch hier.</translation>
     </message>
     <message>
         <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
@@ -843,7 +851,7 @@
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation>Meine behalten</translation>
+        <translation>Meine Version behalten</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>In der anderen Sprache gibt es keine Entsprechung: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>Das ist ein Ordner; nötig ist eine Datei</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>Das ist ein Ordner; wählen Sie eine Datei</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>Das ist ein Gerät; nötig ist eine Datei</translation>
+        <source>This is a device; choose a file</source>
+        <translation>Das ist ein Gerät; wählen Sie eine Datei</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>Der Lauf weicht von der Aufzeichnung {0} ab; löschen Sie sie, um neu aufzuzeichnen, wenn das neue Verhalten richtig ist</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>die Bedingung kann nicht ausgewertet werden; verwenden Sie Variablen, Operatoren und Standardfunktionen</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -1609,7 +1617,7 @@
     </message>
     <message>
         <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
-        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein; setzen Sie ihn in geschweifte Klammern</translation>
+        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein; setzen Sie den Eintrag in geschweifte Klammern</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1685,11 +1693,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
-        <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}; machen Sie das Element breiter oder den Text kürzer</translation>
+        <translation>„{0}“ passt nicht: benötigt {1}&#xa0;px, verfügbar sind {2}; machen Sie das Element breiter oder den Text kürzer</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element taller or the text shorter</source>
-        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}; machen Sie das Element höher oder den Text kürzer</translation>
+        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1}&#xa0;px, verfügbar sind {2}; machen Sie das Element höher oder den Text kürzer</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1720,8 +1728,8 @@
         <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>Ein Platzhalter ist nicht geschlossen; ergänzen Sie {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1773,7 +1781,7 @@
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
+        <translation>Diese Datei kann nicht importiert werden; lesbar sind PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
     </message>
     <message>
         <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
@@ -1797,7 +1805,7 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Die Datei hat die Kodierung {0}, die nicht unterstützt wird; speichern Sie sie als UTF-8</translation>
+        <translation>Die Datei hat die Codierung {0}, die nicht unterstützt wird; speichern Sie sie als UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
@@ -1825,7 +1833,7 @@
     </message>
     <message>
         <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit der Baustein Teil eines Netzwerks sein kann.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -1864,20 +1872,20 @@
         <translation>Der Text des Schlüssels {0} in {1} hat sich seit dem Export geändert; prüfen Sie die Übersetzung</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>Die Übersetzung des Schlüssels {0} hat andere Platzhalter als ihre Quelle und wurde nicht übernommen</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>Die Übersetzung des Schlüssels {0} hat andere Platzhalter als ihre Quelle und wurde nicht übernommen; verwenden Sie dieselben</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
-        <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt, oder setzen Sie {1} unter {2} in project.json auf true</translation>
+        <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt oder setzen Sie {1} unter {2} in project.json auf true</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
-        <translation>Das Bild {0} wird entpackt größer als {1} MB; verwenden Sie ein kleineres</translation>
+        <translation>Das Bild {0} wird entpackt größer als {1}&#xa0;MB; verwenden Sie ein kleineres</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet; verwenden Sie ein kleineres</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1984,12 @@
         <translation>Kein Text sagt, was das bewirkt; fügen Sie einen hinzu oder setzen Sie einen daneben</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} liegt in der Aufzeichnung zwischen {1} und {2}, der Bereich von {3} bis {4} schneidet also etwas ab</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} liegt in der Aufzeichnung zwischen {1} und {2}, der Bereich von {3} bis {4} schneidet also etwas ab; erweitern Sie den Bereich</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} liegt nicht zwischen {1} und {2}; verwendet wird {3}</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} liegt nicht zwischen {1} und {2}, verwendet wird {3}; berichtigen Sie den Wert</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (versucht mit {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>Das Programm wurde nicht aus Quelltexten übersetzt.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>Das Programm wurde nicht aus Quelltexten übersetzt; öffnen Sie sein Projekt.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung; wählen Sie einen späteren Zyklus.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt; wählen Sie einen späteren Zyklus.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2052,8 +2060,8 @@
         <translation>Der Rahmen {0} hat keinen Panelbereich, darin wird also kein Panel angezeigt; fügen Sie einen hinzu</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer, also darf es jeder bedienen; fügen Sie Benutzer hinzu</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2145,27 +2153,27 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Eine Schrift von {0} px ist aus {2} mm nicht lesbar; verwenden Sie mindestens {1} px</translation>
+        <translation>Eine Schrift von {0}&#xa0;px ist aus {2}&#xa0;mm nicht lesbar; verwenden Sie mindestens {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0} px hat; aus {2} mm sind {1} px nötig</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0}&#xa0;px hat; aus {2}&#xa0;mm sind {1}&#xa0;px nötig; vergrößern Sie es</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0} px bleiben; nötig sind {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0}&#xa0;px bleiben; nötig sind {1}&#xa0;px; vergrößern Sie es</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2}&#xa0;px in beiden Richtungen; vergrößern Sie das Element</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>Auf dem Panel werden {0} Werte und Bedienelemente angezeigt; das Maximum für seine Größe ist {1}; verschieben Sie einige auf ein anderes Panel</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>Das Panel {0} ist {1} Berührungen vom Startpanel entfernt; {2} sollten reichen</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>Das Panel {0} ist {1} Berührungen vom Startpanel entfernt; fügen Sie einen Weg mit höchstens {2} hinzu</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -2177,7 +2185,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Normale Zustände sind grau, damit Abweichungen auffallen (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und geben Sie nur Zuständen Farbe.</translation>
+        <translation>Normale Zustände sind grau, damit Abweichungen auffallen (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und vergeben Sie Farben nur über Bedingungen.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2185,11 +2193,11 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its background, large text 3 to 1 (WCAG 2, ISO 9241-303). The colour roles ensure this in every theme.</source>
-        <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
+        <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Die Farbrollen stellen das in jedem Farbschema sicher.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
-        <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Abstand und Größe eines Pixels stehen in project.json.</translation>
+        <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Der Betrachtungsabstand und die Größe eines Pixels werden in project.json angegeben.</translation>
     </message>
     <message>
         <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
@@ -2201,7 +2209,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Was auf mehreren Panels vorkommt, findet man ohne hinzusehen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
+        <translation>Was auf mehreren Panels vorkommt, findet der Bediener ohne Suchen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2225,7 +2233,7 @@
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
-        <translation>Wenn alles dringend ist, ist es nichts: etwa 5 % der Alarme sollten die höchste Priorität haben, 15 % die nächste (ISA-18.2).</translation>
+        <translation>Wenn alles dringend ist, ist es nichts: Etwa 5&#xa0;% der Alarme sollten die höchste Priorität haben, 15&#xa0;% die nächste (ISA-18.2).</translation>
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
@@ -2241,7 +2249,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>Ein Finger braucht 7 mm in beiden Richtungen, im Handschuh 9 mm, wie es die strenge Stufe verlangt. Die Größe eines Pixels wird in project.json angegeben.</translation>
+        <translation>Ein Finger braucht 7&#xa0;mm in beiden Richtungen, im Handschuh 9&#xa0;mm, wie es die strenge Stufe verlangt. Die Größe eines Pixels wird in project.json angegeben.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2253,11 +2261,11 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
-        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Lassen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit anzeigen.</translation>
+        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Zeigen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit.</translation>
     </message>
     <message>
         <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Ein Schreiben, das bestimmten Rollen vorbehalten oder in project.json als kritisch aufgeführt ist, darf nicht durch versehentliches Berühren ausgelöst werden. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
+        <translation>Ein Schreibvorgang, der bestimmten Rollen vorbehalten oder in project.json als kritisch aufgeführt ist, darf nicht durch versehentliches Berühren ausgelöst werden. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
     </message>
     <message>
         <source>Only {1} may write {0}, but no confirmation is required; set &quot;Writes are confirmed&quot;</source>
@@ -2425,7 +2433,7 @@
     </message>
     <message>
         <source>The picture {0} is larger than {1} MB; use a smaller one</source>
-        <translation>Das Bild {0} ist größer als {1} MB; verwenden Sie ein kleineres</translation>
+        <translation>Das Bild {0} ist größer als {1}&#xa0;MB; verwenden Sie ein kleineres</translation>
     </message>
     <message>
         <source>The faceplate does not say which panel it shows; choose one</source>
@@ -2441,7 +2449,7 @@
     </message>
     <message>
         <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
-        <translation>die Referenz ist NULL; weisen Sie ihr eine Variable zu, oder vergleichen Sie sie zuerst mit NULL</translation>
+        <translation>die Referenz ist NULL; weisen Sie ihr eine Variable zu oder vergleichen Sie sie zuerst mit NULL</translation>
     </message>
     <message>
         <source>the reference does not point to a variable of its type; assign one to it</source>
@@ -2457,7 +2465,7 @@
     </message>
     <message>
         <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
-        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}; verkürzen Sie ihre Arbeit, oder erhöhen Sie die Zeit</translation>
+        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}; verkürzen Sie ihre Arbeit oder erhöhen Sie die Zeit</translation>
     </message>
     <message>
         <source>the file name is too long; choose a shorter one</source>
@@ -2509,7 +2517,7 @@
     </message>
     <message>
         <source>The retain file is not a regular file; remove it or choose another one</source>
-        <translation>Die Retain-Datei ist keine gewöhnliche Datei; löschen Sie sie, oder wählen Sie eine andere</translation>
+        <translation>Die Retain-Datei ist keine gewöhnliche Datei; löschen Sie sie oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>the text has {0} characters, the maximum is {1}; shorten it</source>
@@ -2549,7 +2557,7 @@
     </message>
     <message>
         <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
-        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien; wählen Sie einen anderen Ordner, oder legen Sie ein Projekt an</translation>
+        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien; wählen Sie einen anderen Ordner oder legen Sie ein Projekt an</translation>
     </message>
     <message>
         <source>There is no such file or folder; check the path</source>
@@ -2565,7 +2573,7 @@
     </message>
     <message>
         <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
-        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben; erlauben Sie das Schreiben, oder wählen Sie einen anderen Namen</translation>
+        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben; erlauben Sie das Schreiben oder wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>{0} is not a time; write for example T#2s</source>
@@ -2613,7 +2621,7 @@
     </message>
     <message>
         <source>There is no panel {0}; create it or choose another one</source>
-        <translation>Es gibt kein Panel {0}; legen Sie es an, oder wählen Sie ein anderes</translation>
+        <translation>Es gibt kein Panel {0}; legen Sie es an oder wählen Sie ein anderes</translation>
     </message>
     <message>
         <source>The key {0} is not in the text table; add it there</source>
@@ -2625,11 +2633,11 @@
     </message>
     <message>
         <source>The file {0} does not exist; add it to the project or choose another one</source>
-        <translation>Die Datei {0} ist nicht vorhanden; fügen Sie sie dem Projekt hinzu, oder wählen Sie eine andere</translation>
+        <translation>Die Datei {0} ist nicht vorhanden; fügen Sie sie dem Projekt hinzu oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>The panel has no group or tab {0}; create it or choose another one</source>
-        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}; legen Sie sie an, oder wählen Sie eine andere</translation>
+        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}; legen Sie sie an oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>The group {0} contains itself; choose another parent</source>
@@ -2645,7 +2653,7 @@
     </message>
     <message>
         <source>There is no role {0}; create it or choose another one</source>
-        <translation>Die Rolle {0} gibt es nicht; legen Sie sie an, oder wählen Sie eine andere</translation>
+        <translation>Die Rolle {0} gibt es nicht; legen Sie sie an oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>A recipe has no name; give it one</source>
@@ -2665,7 +2673,7 @@
     </message>
     <message>
         <source>There is no alarm class {0}; add it or choose another one</source>
-        <translation>Es gibt keine Alarmklasse {0}; fügen Sie sie hinzu, oder wählen Sie eine andere</translation>
+        <translation>Es gibt keine Alarmklasse {0}; fügen Sie sie hinzu oder wählen Sie eine andere</translation>
     </message>
     <message>
         <source>No panel and no alarm uses the key {0}; use it or remove it</source>
@@ -2701,11 +2709,11 @@
     </message>
     <message>
         <source>{0} is critical according to project.json, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} ist laut project.json kritisch, doch ein einziger Druck schreibt den Wert; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} unterdrückt Alarme, doch ein einziger Druck schreibt den Wert; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
@@ -2713,7 +2721,11 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Panel, das man zuerst sieht, muss sagen, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
+        <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Startpanel muss angeben, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
+    </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} ist kein Sprachcode; verwenden Sie Codes wie {1} oder {2}</translation>
     </message>
 </context>
 <context>
@@ -2944,7 +2956,7 @@
     </message>
     <message>
         <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
-        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei Schrittketten nebeneinander</translation>
+        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei parallelen Schrittketten</translation>
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
@@ -2964,7 +2976,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>Ein Füllstandsensor mit 4 bis 20 mA, drei Lampen und Drahtbrucherkennung</translation>
+        <translation>Ein Füllstandsensor mit 4 bis 20&#xa0;mA, drei Lampen und Drahtbrucherkennung</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3056,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Aus einem Strom von 4 bis 20 mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
+        <translation>Aus einem Strom von 4 bis 20&#xa0;mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3103,11 +3115,11 @@
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
+        <translation>Die Herstellerdaten {0} bleiben in exchange.json erhalten</translation>
     </message>
     <message>
         <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
+        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm bleibt in exchange.json erhalten</translation>
     </message>
     <message>
         <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
@@ -3122,12 +3134,12 @@
         <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen; verbinden Sie es im anderen Werkzeug und exportieren Sie erneut</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>Die Transition von {0} hat keine Bedingung und ist als FALSE geschrieben; geben Sie ihre Bedingung ein</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert, sein letzter Wert bleibt also nicht erhalten; speichern Sie ihn in einer Variablen</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3150,12 @@
         <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert; machen Sie daraus einen FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet; weisen Sie es einer Variablen zu, um es einmal zu berechnen</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt, daher wird es berechnet, obwohl EN FALSE ist; rufen Sie es unter einem IF auf</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -3171,11 +3183,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos; schreiben Sie seinen Rumpf in ST</translation>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck verweist endlos auf sich selbst; schreiben Sie seinen Rumpf in ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
+        <translation>Eine Bedingung in {0} ruft einen Baustein auf, was in einer Bedingung nicht möglich ist; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3255,7 +3267,7 @@
     </message>
     <message>
         <source>The file is not a program source and was left out; import it separately if it is one</source>
-        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen; importieren Sie sie einzeln, falls sie doch eine ist</translation>
+        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen; importieren Sie sie einzeln, falls sie doch einer ist</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3263,11 +3275,11 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Typen, die {0} von sich aus hat, sind hier deklariert</translation>
+        <translation>Typen, die in {0} vordefiniert sind, sind hier deklariert</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
-        <translation>{0} zählt %MW1 in Wörtern; „addressing“ in project.json sagt dasselbe</translation>
+        <translation>{0} zählt %MW1 in Wörtern; „addressing“ in project.json ist entsprechend gesetzt</translation>
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
@@ -3275,15 +3287,15 @@
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} greift über die Steuerung hinaus; hier ist er mit seinen Ein- und Ausgängen deklariert und tut nichts</translation>
+        <translation>{0} greift auf das System außerhalb der Steuerung zu; hier ist der Baustein mit seinen Ein- und Ausgängen deklariert, tut aber nichts</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne vorangestelltes {0} geschrieben</translation>
+        <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne das Präfix {0} geschrieben</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise kennt die Namen der Bibliothek {0} selbst; sie werden ohne vorangestelltes {0} geschrieben</translation>
+        <translation>Die Namen der Bibliothek {0} sind in Stepwise eingebaut; sie werden ohne das Präfix {0} geschrieben</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,15 +3307,15 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>Dies ist ein ZIP-Archiv, gleich wie die Datei heißt; entpacken Sie es und importieren Sie den Ordner</translation>
+        <translation>Trotz ihres Namens ist die Datei ein ZIP-Archiv; entpacken Sie es und importieren Sie den Ordner</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>Die Datei steht im Ordner des Projekts {0}, das sie nicht aufführt; sie wurde ausgelassen</translation>
+        <translation>Die Datei liegt im Ordner des Projekts {0}, das sie nicht aufführt; sie wurde ausgelassen</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
-        <translation>Mehrere Projekte des Ordners haben einen Baustein {0}; aus jedem wurde ein eigenes Projekt mit den Bibliotheken, die es verwendet: dieses ist {1}</translation>
+        <translation>Mehrere Projekte des Ordners haben einen Baustein {0}; aus jedem wurde ein eigenes Projekt mit den Bibliotheken, die es verwendet: Dieses ist {1}</translation>
     </message>
     <message>
         <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
@@ -3328,6 +3340,34 @@
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>Das Programm verwendet {0} der Bibliothek {1}, die über eine simulierte Steuerung hinausgreift; deklarieren Sie Bausteine dieser Namen, die das tun, was die Simulation braucht</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Bedingungen in {0} sind mit Bausteinen gezeichnet; die Aktion {1}, die vom Initialschritt an in jedem Zyklus läuft, ruft sie auf</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>Der gezeichnete Rumpf von {0} wurde nicht gelesen; öffnen Sie das Projekt in CODESYS V3 und exportieren Sie es dort als PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>Der gezeichnete Rumpf von {0} wurde nicht gelesen: Die Reihenfolge der Eingänge von {1} ist nicht bekannt. Importieren Sie die Datei, die {1} deklariert, zusammen mit dieser</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>Das Programm verwendet {0}, das keine seiner Dateien deklariert; das Projekt verwendet die Bibliothek {1}, die es enthält</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>Die Task {0} führt {1} aus, ein Programm einer Bibliothek; es wurde ausgelassen. Rufen Sie das, was die Maschine davon braucht, aus einem Programm des Projekts auf</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Die Variablen dieser Erweiterung sind in {0} deklariert; ihr Code in C oder Python wird nicht ausgeführt. Schreiben Sie ihre Werte in ST so, wie es der Code tut</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>Version 0201 unterstützt die Konstruktorargumente von {0} nicht; sie wurden ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -3819,7 +3859,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Schritte</translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3927,7 +3967,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Farbe in Betrieb</translation>
+        <translation>Farbe (in Betrieb)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +4011,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Farbe leuchtend</translation>
+        <translation>Farbe (leuchtend)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -3983,11 +4023,11 @@
     </message>
     <message>
         <source>Text on</source>
-        <translation>Text ein</translation>
+        <translation>Text (ein)</translation>
     </message>
     <message>
         <source>Text off</source>
-        <translation>Text aus</translation>
+        <translation>Text (aus)</translation>
     </message>
     <message>
         <source>Colour on</source>
@@ -4175,11 +4215,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Farbe angehoben</translation>
+        <translation>Farbe (angehoben)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Farbe hängend</translation>
+        <translation>Farbe (hängend)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Farbschema wechseln</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Lampensymbol</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Glühbirne</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5444,8 +5492,8 @@
         <translation>„Warum nicht?“ braucht eine Bedingung (BOOL), zum Beispiel „Main.level &gt; 80“</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>das Programm wurde nicht aus Quelltexten übersetzt</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>das Programm wurde nicht aus Quelltexten übersetzt; öffnen Sie sein Projekt</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6048,12 +6096,12 @@
         <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>Das Programm hat {0} Fehler; beheben Sie sie: Bis dahin läuft die Steuerung mit dem alten weiter</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie sein Programm erneut</translation>
+        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie das Programm erneut</translation>
     </message>
     <message>
         <source>A recording is already being downloaded; wait until it is complete</source>
@@ -6061,7 +6109,7 @@
     </message>
     <message>
         <source>A served controller cannot be resumed from an earlier scan; download its recording and resume from there</source>
-        <translation>Eine Steuerung im Dienstbetrieb kann nicht ab einem früheren Zyklus fortgesetzt werden; laden Sie ihre Aufzeichnung herunter und setzen Sie dort fort</translation>
+        <translation>Eine als Dienst laufende Steuerung kann nicht ab einem früheren Zyklus fortgesetzt werden; laden Sie ihre Aufzeichnung herunter und setzen Sie dort fort</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -6085,7 +6133,7 @@
     </message>
     <message>
         <source>The code would be sent over the network unencrypted; use an https address, and start the controller with --certificate</source>
-        <translation>Der Code würde unverschlüsselt über das Netz gesendet; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
+        <translation>Der Code würde unverschlüsselt über das Netzwerk gesendet; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
@@ -6097,7 +6145,7 @@
     </message>
     <message>
         <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netz und die Steuerung</translation>
+        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netzwerk und die Steuerung</translation>
     </message>
     <message>
         <source>{0} does not answer; check the address and whether the controller runs</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>{0} ist über TLS nicht erreichbar: {1}; starten Sie die Steuerung dort mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>{0} ist nicht erreichbar: {1}; prüfen Sie die Adresse und das Netz</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Unter {0} antwortet nichts; prüfen Sie den Port und ob „stepwise serve“ dort läuft</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>Es gibt keinen Rechner namens {0}; prüfen Sie den Namen in der Adresse</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>Der Server unter {0} ist keine mit „stepwise serve“ gestartete Steuerung; prüfen Sie Rechner und Port</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>Der Server unter {0} spricht kein TLS; starten Sie die Steuerung mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>Die Codierung {0} ist nicht bekannt; wählen Sie eine von {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>„{0}“ muss eine Liste von Namen sein; schreiben Sie sie in Anführungszeichen, in eckigen Klammern</translation>
     </message>
 </context>
 <context>
@@ -6150,7 +6222,7 @@
     </message>
     <message>
         <source>the input is at a limit for {0} % of the time</source>
-        <translation>der Eingang ist während {0} % der Zeit an einer Grenze</translation>
+        <translation>der Eingang ist während {0}&#xa0;% der Zeit an einer Grenze</translation>
     </message>
     <message>
         <source>the output moves by only {0} times its noise</source>
@@ -6162,7 +6234,7 @@
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
-        <translation>gestört: kein Modell erklärt mehr als {0} % davon</translation>
+        <translation>gestört: kein Modell erklärt mehr als {0}&#xa0;% davon</translation>
     </message>
     <message>
         <source>usable; not at rest before it</source>
@@ -6170,7 +6242,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie den Sollwert oder den Ausgang einmal von Hand und zeichnen Sie das auf</translation>
+        <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie einmal den Sollwert oder den Ausgang und zeichnen Sie die Antwort auf</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6178,7 +6250,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes bewegt ihn</translation>
+        <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes beeinflusst ihn</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6210,7 +6282,7 @@
     </message>
     <message>
         <source>A step of the set point overshoots by {0} %.</source>
-        <translation>Ein Sprung des Sollwerts führt zu {0} % Überschwingen.</translation>
+        <translation>Ein Sprung des Sollwerts führt zu {0}&#xa0;% Überschwingen.</translation>
     </message>
     <message>
         <source>Ziegler-Nichols is included for comparison: it oscillates and tolerates little change. Use SIMC or the optimum instead.</source>
@@ -6358,7 +6430,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Schwingt mit einer Periode von {0} s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
+        <translation>Schwingt mit einer Periode von {0}&#xa0;s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6378,11 +6450,11 @@
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
-        <translation>Der Ausgang ist während {0} % der Zeit an einer Grenze.</translation>
+        <translation>Der Ausgang ist während {0}&#xa0;% der Zeit an einer Grenze.</translation>
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
+        <translation>{0}&#xa0;% der Bewegung des Messwerts sind Rauschen.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -6394,7 +6466,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder von Hand den Ausgang, und zeichnen Sie das auf</translation>
+        <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder den Ausgang und zeichnen Sie die Antwort auf</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6454,11 +6526,11 @@
     </message>
     <message>
         <source>mean absolute error</source>
-        <translation>mittlere absolute Regeldifferenz</translation>
+        <translation>mittlere absolute Regelabweichung</translation>
     </message>
     <message>
         <source>integrated absolute error</source>
-        <translation>integrierte absolute Regeldifferenz</translation>
+        <translation>integrierte absolute Regelabweichung</translation>
     </message>
     <message>
         <source>movements of the output in an hour</source>
@@ -6474,7 +6546,7 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>verstellt</translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>from</source>
@@ -6486,7 +6558,7 @@
     </message>
     <message>
         <source>verdict</source>
-        <translation>Urteil</translation>
+        <translation>Beurteilung</translation>
     </message>
     <message>
         <source>output</source>
@@ -6530,7 +6602,7 @@
     </message>
     <message>
         <source>error after a load step</source>
-        <translation>Regeldifferenz nach Lastsprung</translation>
+        <translation>Regelabweichung nach einem Lastsprung</translation>
     </message>
     <message>
         <source>unstable</source>
@@ -6606,11 +6678,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>Zeitkonstante {0} s ± {1} s</translation>
+        <translation>Zeitkonstante {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>Frequenz {0} rad/s ± {1} rad/s</translation>
+        <translation>Frequenz {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6690,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>Nullstelle {0} s ± {1} s</translation>
+        <translation>Nullstelle {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>Totzeit {0} s ± {1} s</translation>
+        <translation>Totzeit {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6634,7 +6706,7 @@
     </message>
     <message>
         <source>usable; the output was set to its limit</source>
-        <translation>verwendbar; der Ausgang wurde auf seine Grenze gestellt</translation>
+        <translation>brauchbar; der Ausgang wurde auf seine Grenze gestellt</translation>
     </message>
     <message>
         <source>Loop health</source>
@@ -6647,6 +6719,14 @@
     <message>
         <source>Residuals</source>
         <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>Reglerausgang und Messwert sind in jedem Abtastwert gleich; wählen Sie einen anderen Messwert</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen. Prüfen Sie es mit dem Regler in Hand: Die Schwingung hört dann auf; bleibt sie, kommt die Ursache von außen.</translation>
     </message>
 </context>
 <context>
@@ -6697,7 +6777,7 @@
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
-        <translation>Der Eingang ändert sich hier nicht, daher gibt es keine Antwort; zeigen Sie einen anderen Abschnitt an</translation>
+        <translation>Der Eingang ändert sich hier nicht, daher gibt es keine Antwort; zeigen Sie einen anderen Bereich an</translation>
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Die Zeiten von {0} laufen rückwärts; speichern Sie den Trace erneut</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>Die Datei ist leer; exportieren Sie die Tabelle erneut</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>Die Tabelle hat {0} Spalten {1}; geben Sie jeder eine eigene Überschrift</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>Spalte {0} hat keine Zahlen; wählen Sie eine von {1}</translation>
     </message>
 </context>
 <context>
@@ -6984,7 +7076,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 Anfragen, %2 Fehler, %3 ms</translation>
+        <translation>%1 Anfragen, %2 Fehler, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -6993,6 +7085,10 @@
     <message>
         <source>online: %1 of %2</source>
         <translation>online: %1 von %2</translation>
+    </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>„%1“ in devices.json</translation>
     </message>
 </context>
 <context>
@@ -7455,15 +7551,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % Auslastung</translation>
+        <translation>%1&#xa0;µs · %2&#xa0;% Auslastung</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 MB aufgezeichnet</translation>
+        <translation>%1&#xa0;MB aufgezeichnet</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 Zyklen, höchstens %2 MB</translation>
+        <translation>%1 Zyklen, höchstens %2&#xa0;MB</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -8342,6 +8438,34 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Help</source>
         <translation>Hilfe</translation>
     </message>
+    <message>
+        <source>Go To</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Dockfenster</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8437,7 +8561,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Ein Programm in einer Task von 10 ms</translation>
+        <translation>Ein Programm in einer Task von 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -8497,7 +8621,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Enter a project name</source>
-        <translation>Das Projekt braucht einen Namen</translation>
+        <translation>Geben Sie einen Projektnamen ein</translation>
     </message>
     <message>
         <source>%1 already exists and is not empty; choose another name</source>
@@ -8576,7 +8700,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Enter a name</source>
-        <translation>Geben Sie einen Namen an</translation>
+        <translation>Geben Sie einen Namen ein</translation>
     </message>
     <message>
         <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
@@ -9209,7 +9333,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
@@ -9571,7 +9695,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
-        <translation>Wählen Sie den Schritt oder die Transition, nach der eingefügt wird</translation>
+        <translation>Wählen Sie einen Schritt oder eine Transition; eingefügt wird danach</translation>
     </message>
     <message>
         <source>Select the transition that gets the condition</source>
@@ -10178,7 +10302,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Übersetzt in %1 ms</translation>
+        <translation>Übersetzt in %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
@@ -10520,7 +10644,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation>Bewegt</translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>From</source>
@@ -10528,7 +10652,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>To</source>
-        <translation>Bis</translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -10615,7 +10739,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1, explains %2 %</source>
-        <translation>%1, erklärt %2 %</translation>
+        <translation>%1, erklärt %2&#xa0;%</translation>
     </message>
     <message>
         <source>set point</source>
@@ -10675,7 +10799,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Settling time</source>
@@ -11172,6 +11296,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Wählen Sie ein Array mit einem Index, zum Beispiel Plant.Valves.</translation>
     </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>Sie reichen bis %1 × %2, das Panel nur bis %3 × %4: Verkleinern Sie das Faceplate oder vergrößern Sie das Panel.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::ArrayDialog</name>
@@ -11280,7 +11408,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Meldung</translation>
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11408,7 +11536,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -11488,7 +11616,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Issues</source>
-        <translation>Meldungen</translation>
+        <translation>Probleme</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,11 +11722,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Abgemeldet nach</translation>
+        <translation>Abmelden nach</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Abgemeldet nach </translation>
+        <translation>Abmelden nach </translation>
     </message>
     <message>
         <source>Logged Out After</source>
@@ -11755,7 +11883,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
-        <translation>„%1“ ist keine Zahl; eine Grenze wird zum Beispiel als 12.5 geschrieben.</translation>
+        <translation>„%1“ ist keine Zahl; ein Grenzwert wird zum Beispiel als 12.5 geschrieben.</translation>
     </message>
     <message>
         <source>A row needs a variable; Remove Row or Set takes the row away.</source>
@@ -12354,7 +12482,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Einpassen</translation>
+        <translation>Anpassen</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12721,7 +12849,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Triggered, collecting</source>
-        <translation>Ausgelöst, sammelt</translation>
+        <translation>Ausgelöst, Werte werden gesammelt</translation>
     </message>
     <message>
         <source>Triggered</source>
@@ -12740,7 +12868,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 Zyklen gespeichert  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
+        <translation>%L1 Zyklen gespeichert  ·  Historie %2 von %3&#xa0;MB  ·  Kanäle %4 von %5&#xa0;MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -12845,6 +12973,229 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt *.trace);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiviert</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Datenbits</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stoppbits</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Abfrageintervall</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Zeitlimit</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Längste Pause zwischen Versuchen</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: Gerät antwortet</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Client-ID</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Passwortdatei</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-Verschlüsselung</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Datei der CA-Zertifikate</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit des Registers</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytereihenfolge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Pfad in der JSON-Nachricht</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Dienstgüte (QoS 0 bis 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Nachricht bleibt beim Broker (Retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Bei Verbindungsverlust</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sicherer Wert</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: Kanal ist gültig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus-TCP-Gerät</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus-RTU-Gerät (seriell)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus-TCP-Server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-Broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskreter Eingang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Halteregister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Eingangsregister</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Letzten Wert behalten</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Sicheren Wert verwenden</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Steuerung anhalten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ungerade</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
     </message>
 </context>
 </TS>

@@ -180,12 +180,12 @@
         <translation>sin respuesta en {0}&#xa0;ms; compruebe el cable, la dirección y el número de unidad</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>la conexión terminó: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>la conexión se ha cerrado: {0}; se está restableciendo</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
-        <translation>la respuesta no corresponde a la petición; compruebe la velocidad, la paridad y el número de unidad</translation>
+        <translation>la respuesta no corresponde a la solicitud; compruebe la velocidad de transmisión, la paridad y el número de unidad</translation>
     </message>
     <message>
         <source>the device rejects {0} {1}: {2}</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>it is busy; the request will be repeated</source>
-        <translation>está ocupado; se repetirá la petición</translation>
+        <translation>está ocupado; se repetirá la solicitud</translation>
     </message>
     <message>
         <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
@@ -335,20 +335,20 @@
         <translation>Faltan dos puntos entre el nombre y su tipo; añádalos</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>Los números decimales usan punto: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>Los números decimales usan punto; escriba {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>Falta {0}; la POU termina aquí</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>Falta {0}: la POU termina aquí; añádalo</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Falta un punto y coma aquí; la instrucción termina aquí</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Falta un punto y coma: la instrucción termina aquí; añádalo</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} se contiene a sí mismo; use un REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito; copie sus declaraciones</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>La condición {0} no es una de defined, hasvalue, hasattribute, hastype con NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>La condición {0} no se conoce; use defined, hasvalue, hasattribute y hastype con NOT, AND y OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>El anidamiento es demasiado profundo para compilarlo; divídalo en varias instrucciones o unidades de organización</translation>
+        <translation>El anidamiento es demasiado profundo para compilarlo; divídalo en varias instrucciones o POU</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -596,7 +596,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>No existe la etiqueta {0}; escríbala con dos puntos antes de una instrucción de esta unidad de organización</translation>
+        <translation>No existe la etiqueta {0}; escríbala con dos puntos antes de una instrucción de esta POU</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -671,8 +671,8 @@
         <translation>{0} necesita memoria que el proyecto no reserva; escriba &quot;memoryForNew&quot;: 65536 en project.json</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} no es un bloque de este programa; solo un bloque puede tener una tarea propia</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} no es un bloque de este programa y no puede tener una tarea propia; indique uno de sus bloques</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
-        <translation>{0} no se permite en una supervisión ni en un enlace de variable, que no pueden tener efectos secundarios; hágalo en el programa</translation>
+        <translation>{0} no se permite en una supervisión ni en una vinculación de variable, que no pueden tener efectos secundarios; hágalo en el programa</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address; assign the value to a variable first</source>
@@ -818,6 +818,14 @@
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} solo se permite en un TEST; muévalo allí</translation>
     </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>No es texto en UTF-8; guarde el archivo como UTF-8, o quítelo del proyecto si no es un archivo de texto</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} no es un calificador de acción; use N, R, S, L, D, P, P0, P1, SD, DS o SL</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -843,7 +851,7 @@
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation>Conservar lo mío</translation>
+        <translation>Conservar mi versión</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>No hay equivalente en el otro lenguaje: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>Es una carpeta; se necesita un archivo</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>Es una carpeta; elija un archivo</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>Es un dispositivo; se necesita un archivo</translation>
+        <source>This is a device; choose a file</source>
+        <translation>Es un dispositivo; elija un archivo</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1405,7 +1413,7 @@
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
-        <translation>Una conexión no tiene contactos; escriba una expresión.</translation>
+        <translation>Un pin no tiene contactos; escriba una expresión.</translation>
     </message>
     <message>
         <source>A rung cannot be moved into itself; choose a place outside it.</source>
@@ -1441,7 +1449,7 @@
     </message>
     <message>
         <source>Select a contact, a pin or a coil.</source>
-        <translation>Seleccione un contacto, una conexión o una bobina.</translation>
+        <translation>Seleccione un contacto, un pin o una bobina.</translation>
     </message>
     <message>
         <source>Select a rung with contacts.</source>
@@ -1524,8 +1532,8 @@
         <translation>La ejecución difiere de la grabación {0}; elimínela para volver a grabarla si el nuevo comportamiento es correcto</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>la condición no se puede evaluar</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>la condición no se puede evaluar; use variables, operadores y funciones estándar</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -1601,7 +1609,7 @@
     </message>
     <message>
         <source>The kind of element {0} is not a text; write it in quotes</source>
-        <translation>La clase del elemento {0} no es un texto; escríbala entre comillas</translation>
+        <translation>El tipo del elemento {0} no es un texto; escríbalo entre comillas</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
@@ -1677,7 +1685,7 @@
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Esta versión no conoce la clase de elemento «{0}»; se conserva tal cual</translation>
+        <translation>Esta versión no conoce el tipo de elemento «{0}»; se conserva tal cual</translation>
     </message>
     <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
@@ -1720,8 +1728,8 @@
         <translation>{0} es {1}; aquí se necesita un único valor</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Un marcador no se cierra con {0}</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>Un marcador de posición no está cerrado; añada {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1801,7 +1809,7 @@
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>El archivo declara un tipo de documento o entidades propias, que no se leen; expórtelo de nuevo sin ellos</translation>
+        <translation>El archivo declara un tipo de documento o entidades propias, lo que no se admite; expórtelo de nuevo sin ellos</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -1864,8 +1872,8 @@
         <translation>El texto de la clave {0} en {1} ha cambiado desde la exportación; compruebe la traducción</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>La traducción de la clave {0} tiene otros marcadores que su origen y no se ha aceptado</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>La traducción de la clave {0} tiene otros marcadores de posición que su origen y no se ha aceptado; use los mismos</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1884,8 @@
         <translation>La imagen {0} supera {1}&#xa0;MB al descomprimirse; use una más pequeña</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>La imagen {0} tiene {1} x {2} píxeles; no se dibujan más de {3} millones</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>La imagen {0} tiene {1} x {2} píxeles; no se dibujan más de {3} millones; use una más pequeña</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1984,12 @@
         <translation>Ningún texto indica para qué sirve esto; añada uno o coloque uno al lado</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} está entre {1} y {2} en la grabación, por lo que el rango de {3} a {4} lo recorta</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} está entre {1} y {2} en la grabación, por lo que el rango de {3} a {4} lo recorta; amplíe el rango</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} no está entre {1} y {2}; se usa {3}</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} no está entre {1} y {2}, por lo que se usa {3}; corríjalo</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (probado con {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>El programa no se compiló a partir de código fuente.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>El programa no se compiló a partir de código fuente; abra su proyecto.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Este ciclo ya no está en la grabación; elija un ciclo posterior.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo; elija un ciclo posterior.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2052,8 +2060,8 @@
         <translation>El marco {0} no tiene área de panel, por lo que no se muestra ningún panel en él; añada una</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Solo para los roles {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Solo para los roles {0}, pero el proyecto no tiene usuarios, así que cualquiera puede operarlo; añada usuarios</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2145,27 +2153,27 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Una fuente de {0}&#xa0;px no se puede leer a {2} mm; use al menos {1}&#xa0;px</translation>
+        <translation>Una fuente de {0}&#xa0;px no se puede leer a {2}&#xa0;mm; use al menos {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0}&#xa0;px; a {2} mm se necesitan {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0}&#xa0;px; a {2}&#xa0;mm se necesitan {1}&#xa0;px; agrándelo</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que solo quedan {0} px para un dedo; se necesitan {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>El faceplate es tan pequeño aquí que solo quedan {0}&#xa0;px para un dedo; se necesitan {1}&#xa0;px; agrándelo</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px son demasiado pequeños para un dedo junto a otros controles; se necesitan {2} px en ambas direcciones</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a otros controles; se necesitan {2}&#xa0;px en ambas direcciones; agrande el elemento</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>El panel muestra {0} valores y controles; el máximo para su tamaño es {1}; pase algunos a otro panel</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>El panel {0} está a {1} pulsaciones del panel inicial; deberían bastar {2}</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>El panel {0} está a {1} pulsaciones del panel inicial; añada un camino de {2} como máximo</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -2177,7 +2185,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Los estados normales son grises, para que se noten los anormales (ISA-101). Use un rol del tema como surface, off o running, y dé color solo a los estados.</translation>
+        <translation>Los estados normales son grises, para que se noten los anormales (ISA-101). Use un rol del tema como surface, off o running, y dé color solo mediante condiciones.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2201,7 +2209,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Lo que está en varios paneles se encuentra sin mirar si siempre está en el mismo lugar. Póngalo en el marco o en el mismo lugar en todas partes.</translation>
+        <translation>Lo que está en varios paneles se encuentra sin buscar si siempre está en el mismo lugar. Póngalo en el marco o en el mismo lugar en todas partes.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2221,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>Un desliz del dedo envía 500 en vez de 50. Los límites lo rechazan al teclearlo.</translation>
+        <translation>Un error al teclear envía 500 en vez de 50. Los límites lo rechazan al introducirlo.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2241,7 +2249,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>Un dedo necesita 7 mm en ambas direcciones, y 9 mm con guante, como exige el nivel estricto. El tamaño de un píxel se define en project.json.</translation>
+        <translation>Un dedo necesita 7&#xa0;mm en ambas direcciones, y 9&#xa0;mm con guante, como exige el nivel estricto. El tamaño de un píxel se define en project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2253,7 +2261,7 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same information with a text, a shape, blinking or at least a different brightness.</source>
-        <translation>Uno de cada doce hombres no distingue ciertos colores, y la luz intensa los borra. Muestre lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
+        <translation>Uno de cada doce hombres no distingue ciertos colores, y la luz intensa los atenúa. Muestre lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
     </message>
     <message>
         <source>A write that is restricted to some roles, or that project.json lists as critical, must not be triggered by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
@@ -2297,11 +2305,11 @@
     </message>
     <message>
         <source>The panel was written by a newer version of Stepwise; open it with that version</source>
-        <translation>El panel lo escribió una versión más reciente de Stepwise; ábralo con esa versión</translation>
+        <translation>El panel se guardó con una versión más reciente de Stepwise; ábralo con esa versión</translation>
     </message>
     <message>
         <source>This trace configuration was written by a newer version of Stepwise (version {0}); open it with that version</source>
-        <translation>Esta configuración de traza la escribió una versión más reciente de Stepwise (versión {0}); ábrala con esa versión</translation>
+        <translation>Esta configuración de traza se guardó con una versión más reciente de Stepwise (versión {0}); ábrala con esa versión</translation>
     </message>
     <message>
         <source>The recorded program can no longer be built; open the recording with the version of Stepwise that made it</source>
@@ -2673,7 +2681,7 @@
     </message>
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}; use the same in both</source>
-        <translation>Los marcadores difieren: {0} tiene {1}, {2} tiene {3}; use los mismos en ambos</translation>
+        <translation>Los marcadores de posición difieren: {0} tiene {1}, {2} tiene {3}; use los mismos en ambos</translation>
     </message>
     <message>
         <source>The font {0} is not installed here, so texts cannot be measured; install it</source>
@@ -2713,7 +2721,11 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>Una máquina parada tiene el mismo aspecto si está averiada que si solo espera. El panel que se ve primero debe decir qué pulsar a continuación: una frase bajo el título o un texto de estado como «Listo: pulse S1».</translation>
+        <translation>Una máquina parada tiene el mismo aspecto si está averiada que si solo espera. El panel inicial debe decir qué pulsar a continuación: una frase bajo el título o un texto de estado como «Listo: pulse S1».</translation>
+    </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} no es un código de idioma; use códigos como {1} o {2}</translation>
     </message>
 </context>
 <context>
@@ -2948,7 +2960,7 @@
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
-        <translation>Dos controles todo-nada: un calefactor con consigna y una válvula ligada a una alarma</translation>
+        <translation>Dos controles todo o nada: un calefactor con consigna y una válvula ligada a una alarma</translation>
     </message>
     <message>
         <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
@@ -2964,7 +2976,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>Un sensor de nivel de 4 a 20 mA, tres pilotos y detección de rotura de cable</translation>
+        <translation>Un sensor de nivel de 4 a 20&#xa0;mA, tres pilotos y detección de rotura de cable</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3056,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Una corriente de 4 a 20 mA se convierte en nivel, y el nivel en volumen</translation>
+        <translation>Una corriente de 4 a 20&#xa0;mA se convierte en nivel, y el nivel en volumen</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3122,12 +3134,12 @@
         <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido; conéctelo en la otra herramienta y exporte de nuevo</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>La transición desde {0} no tiene condición y se escribe como FALSE; introduzca su condición</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor, por lo que su último valor no se conserva; guárdelo en una variable</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3150,12 @@
         <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena; conviértala en un FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno; asígnelo a una variable para calcularlo una sola vez</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>El tipo del resultado de {0} no se conoce, por lo que se calcula aunque EN sea FALSE; llámelo bajo un IF</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -3171,11 +3183,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin; escriba su cuerpo en ST</translation>
+        <translation>El diagrama en {0} no se ha leído: una expresión se refiere a sí misma sin fin; escriba su cuerpo en ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer; llame antes al bloque y use su salida</translation>
+        <translation>Una condición en {0} llama a un bloque, lo que no es posible en una condición; llame antes al bloque y use su salida</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3263,7 +3275,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Los tipos que {0} tiene de por sí se declaran aquí</translation>
+        <translation>Los tipos predefinidos de {0} se declaran aquí</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3275,15 +3287,15 @@
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} actúa fuera del controlador; se declara aquí con sus entradas y salidas y no hace nada</translation>
+        <translation>{0} accede al sistema fuera del controlador; se declara aquí con sus entradas y salidas, pero no hace nada</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>La biblioteca {0} forma parte de esta importación; sus nombres se escriben sin {0} delante</translation>
+        <translation>La biblioteca {0} forma parte de esta importación; sus nombres se escriben sin el prefijo {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise ya tiene los nombres de la biblioteca {0}; se escriben sin {0} delante</translation>
+        <translation>Los nombres de la biblioteca {0} están integrados en Stepwise; se escriben sin el prefijo {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3307,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>Es un archivo ZIP, se llame como se llame; descomprímalo e importe la carpeta</translation>
+        <translation>A pesar de su nombre, es un archivo ZIP; descomprímalo e importe la carpeta</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3323,11 +3335,39 @@
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>El macropaso {0} se sustituyó por los pasos que contiene; los pasos cuyo nombre ya se usaba llevan {0} delante</translation>
+        <translation>La macroetapa {0} se ha sustituido por las etapas que contiene; las etapas cuyo nombre ya se usaba llevan el prefijo {0}</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>El programa usa {0} de la biblioteca {1}, que va más allá de un controlador simulado; declare POU con esos nombres que hagan lo que la simulación necesita</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Hay condiciones en {0} dibujadas con bloques; la acción {1}, que se ejecuta en cada ciclo desde la etapa inicial, los llama</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>El cuerpo dibujado de {0} no se ha leído; abra el proyecto en CODESYS V3 y expórtelo allí como PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>El cuerpo dibujado de {0} no se ha leído: no se conoce el orden de las entradas de {1}. Importe el archivo que declara {1} junto con este</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>El programa usa {0}, que ninguno de sus archivos declara; el proyecto usa la biblioteca {1}, que lo contiene</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>La tarea {0} ejecuta {1}, un programa de una biblioteca; se ha omitido. Llame a lo que la máquina necesite de él desde un programa del proyecto</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Las variables de esta extensión están declaradas en {0}; su código en C o Python no se ejecuta. Escríbalas en ST como lo hace el código</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>La versión 0201 no admite los argumentos del constructor de {0}; se han omitido</translation>
     </message>
 </context>
 <context>
@@ -3819,7 +3859,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Pasos</translation>
+        <translation>Escalones</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3927,7 +3967,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Color en marcha</translation>
+        <translation>Color (en marcha)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +4011,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Color iluminado</translation>
+        <translation>Color (iluminado)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -3983,11 +4023,11 @@
     </message>
     <message>
         <source>Text on</source>
-        <translation>Texto conectado</translation>
+        <translation>Texto (conectado)</translation>
     </message>
     <message>
         <source>Text off</source>
-        <translation>Texto desconectado</translation>
+        <translation>Texto (desconectado)</translation>
     </message>
     <message>
         <source>Colour on</source>
@@ -4099,7 +4139,7 @@
     </message>
     <message>
         <source>Blinks when on</source>
-        <translation>Parpadea al conectarse</translation>
+        <translation>Parpadea cuando está conectado</translation>
     </message>
     <message>
         <source>Multi-state indicator</source>
@@ -4175,11 +4215,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Color elevado</translation>
+        <translation>Color (elevado)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Color colgante</translation>
+        <translation>Color (colgante)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Cambiar el tema</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Símbolo de piloto</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Bombilla</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5185,7 +5233,7 @@
     </message>
     <message>
         <source>set by code that the compiler adds ({0})</source>
-        <translation>asignado por lo que añade el compilador ({0})</translation>
+        <translation>asignado por código que añade el compilador ({0})</translation>
     </message>
     <message>
         <source>written from outside</source>
@@ -5444,8 +5492,8 @@
         <translation>«¿Por qué no?» necesita una condición (BOOL), por ejemplo «Main.level &gt; 80»</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>el programa no se compiló a partir de código fuente</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>el programa no se compiló a partir de código fuente; abra su proyecto</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6048,8 +6096,8 @@
         <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>El programa tiene {0} {0:error|errores}; corríjalos: hasta entonces, el controlador sigue con el anterior</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>No se puede acceder a {0} por TLS: {1}; inicie su controlador con --certificate o use una dirección http en el mismo equipo</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>No se puede acceder a {0}: {1}; compruebe la dirección y la red</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Nada responde en {0}; compruebe el puerto y si «stepwise serve» se está ejecutando allí</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>No hay ningún equipo llamado {0}; compruebe el nombre en la dirección</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>El servidor en {0} no es un controlador iniciado con «stepwise serve»; compruebe el equipo y el puerto</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>El servidor en {0} no habla TLS; inicie el controlador con --certificate o use una dirección http en el mismo equipo</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>La codificación {0} no se conoce; elija una de {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>«{0}» debe ser una lista de nombres; escríbalos entre comillas y entre corchetes</translation>
     </message>
 </context>
 <context>
@@ -6142,7 +6214,7 @@
     <name>Tuning</name>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
-        <translation>{0} {0:muestra es poca|muestras son pocas} para un modelo; grabe durante más tiempo</translation>
+        <translation>{0} {0:muestra no basta|muestras no bastan} para un modelo; grabe durante más tiempo</translation>
     </message>
     <message>
         <source>usable</source>
@@ -6178,7 +6250,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Ningún modelo explica lo que hace la salida; otra cosa la mueve</translation>
+        <translation>Ningún modelo explica la salida; algo más influye en ella</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6358,7 +6430,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Oscila con un período de {0} s y una amplitud de {1}, durante {2} períodos seguidos.</translation>
+        <translation>Oscila con un período de {0}&#xa0;s y una amplitud de {1}, durante {2} períodos seguidos.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6382,7 +6454,7 @@
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
+        <translation>El {0}&#xa0;% de la variación del valor medido es ruido.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -6474,7 +6546,7 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>cambió</translation>
+        <translation>variación</translation>
     </message>
     <message>
         <source>from</source>
@@ -6486,7 +6558,7 @@
     </message>
     <message>
         <source>verdict</source>
-        <translation>veredicto</translation>
+        <translation>valoración</translation>
     </message>
     <message>
         <source>output</source>
@@ -6606,11 +6678,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>constante de tiempo {0} s ± {1} s</translation>
+        <translation>constante de tiempo {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>frecuencia {0} rad/s ± {1} rad/s</translation>
+        <translation>frecuencia {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6690,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>cero {0} s ± {1} s</translation>
+        <translation>cero {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>tiempo muerto {0} s ± {1} s</translation>
+        <translation>tiempo muerto {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6647,6 +6719,14 @@
     <message>
         <source>Residuals</source>
         <translation>Residuos</translation>
+    </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>La salida del regulador y el valor medido son iguales en todas las muestras; elija otro valor medido</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos. Compruébelo con el regulador en manual: la oscilación cesa; si continúa, la causa es externa.</translation>
     </message>
 </context>
 <context>
@@ -6689,11 +6769,11 @@
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer section</source>
-        <translation>{0} {0:muestra es|muestras son} muy pocas para un espectro; muestre un tramo más largo</translation>
+        <translation>{0} {0:muestra no basta|muestras no bastan} para un espectro; muestre un tramo más largo</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer section</source>
-        <translation>{0} {0:muestra es|muestras son} muy pocas para una respuesta en frecuencia; muestre un tramo más largo</translation>
+        <translation>{0} {0:muestra no basta|muestras no bastan} para una respuesta en frecuencia; muestre un tramo más largo</translation>
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Los tiempos de {0} van hacia atrás; guarde la traza de nuevo</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>El archivo está vacío; vuelva a exportar la tabla</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>La tabla tiene {0} columnas {1}; dé a cada una su propio encabezado</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>La columna {0} no tiene números; elija una de {1}</translation>
     </message>
 </context>
 <context>
@@ -6984,7 +7076,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 peticiones, %2 errores, %3&#xa0;ms</translation>
+        <translation>%1 solicitudes, %2 errores, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -6993,6 +7085,10 @@
     <message>
         <source>online: %1 of %2</source>
         <translation>en línea: %1 de %2</translation>
+    </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>«%1» en devices.json</translation>
     </message>
 </context>
 <context>
@@ -7217,7 +7313,7 @@ No conservados: %3</translation>
     </message>
     <message>
         <source>program units</source>
-        <translation>unidades de organización</translation>
+        <translation>POU</translation>
     </message>
     <message>
         <source>data types</source>
@@ -7272,7 +7368,7 @@ No conservados: %3</translation>
     <name>plc::app::InsideViews</name>
     <message>
         <source>Coverage of the latest %1 of %2 recorded scans</source>
-        <translation>Cobertura de los %1 ciclos más recientes de %2 de la grabación</translation>
+        <translation>Cobertura de los %1 ciclos más recientes de %2 grabados</translation>
     </message>
     <message>
         <source>There is no recording yet: run the program first.</source>
@@ -7782,7 +7878,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Select Enclosing Block</source>
-        <translation>Seleccionar el bloque que lo rodea</translation>
+        <translation>Seleccionar el bloque contenedor</translation>
     </message>
     <message>
         <source>Go to Matching Keyword</source>
@@ -8045,7 +8141,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Estos paneles llevan a él; sus botones se notificarán como problemas: %1</translation>
+        <translation>Estos paneles llevan a él; sus botones se notificarán como errores: %1</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -8342,6 +8438,34 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Help</source>
         <translation>Ayuda</translation>
     </message>
+    <message>
+        <source>Go To</source>
+        <translation>Ir a</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposición</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Ventanas</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8359,11 +8483,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Take Over</source>
-        <translation>Aceptar</translation>
+        <translation>Adoptar</translation>
     </message>
     <message>
         <source>Take Over All</source>
-        <translation>Aceptar todo</translation>
+        <translation>Adoptar todo</translation>
     </message>
     <message>
         <source>Here (this text is kept)</source>
@@ -8580,7 +8704,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
-        <translation>Un nombre tiene letras, cifras y _, empieza por una letra y no es una palabra clave</translation>
+        <translation>Un nombre consta de letras, cifras y _, empieza por una letra y no es una palabra clave</translation>
     </message>
     <message>
         <source>%1 already exists in the project; choose another name</source>
@@ -9908,7 +10032,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Seleccione un contacto, una bobina o una conexión con una variable</translation>
+        <translation>Seleccione un contacto, una bobina o un pin con una variable</translation>
     </message>
     <message>
         <source>The rung has no contact yet</source>
@@ -9952,7 +10076,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Negate a contact, a coil or a pin</source>
-        <translation>Negar un contacto, una bobina o una conexión</translation>
+        <translation>Negar un contacto, una bobina o un pin</translation>
     </message>
     <message>
         <source>Coil: normal, set, reset</source>
@@ -10520,15 +10644,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Moved</source>
-        <translation>Movido</translation>
+        <translation>Variación</translation>
     </message>
     <message>
         <source>From</source>
-        <translation>Desde</translation>
+        <translation>De</translation>
     </message>
     <message>
         <source>To</source>
-        <translation>Hasta</translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -11172,6 +11296,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Elija un array con un solo índice, por ejemplo Plant.Valves.</translation>
     </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>Llegan hasta %1 × %2, el panel solo hasta %3 × %4: reduzca el faceplate o amplíe el panel.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::ArrayDialog</name>
@@ -11228,7 +11356,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Bind</source>
-        <translation>Enlazar</translation>
+        <translation>Vincular</translation>
     </message>
     <message>
         <source>Place in cell</source>
@@ -11280,7 +11408,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Mensaje</translation>
+        <translation>Problema</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11324,7 +11452,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Alinear los centros</translation>
+        <translation>Centrar horizontalmente</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -11336,7 +11464,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Alinear los medios</translation>
+        <translation>Centrar verticalmente</translation>
     </message>
     <message>
         <source>Align bottom</source>
@@ -11488,7 +11616,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Issues</source>
-        <translation>Mensajes</translation>
+        <translation>Problemas</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,15 +11722,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Sesión cerrada tras</translation>
+        <translation>Cerrar sesión tras</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Sesión cerrada tras </translation>
+        <translation>Cerrar sesión tras </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Sesión cerrada tras</translation>
+        <translation>Cerrar sesión tras</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11659,11 +11787,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Add a Set</source>
-        <translation>Añadir un juego</translation>
+        <translation>Añadir un juego de valores</translation>
     </message>
     <message>
         <source>Remove Row or Set</source>
-        <translation>Quitar fila o juego</translation>
+        <translation>Quitar fila o juego de valores</translation>
     </message>
     <message>
         <source>Remove Recipe</source>
@@ -11687,15 +11815,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Variables and sets of the recipe</source>
-        <translation>Variables y juegos de la receta</translation>
+        <translation>Variables y juegos de valores de la receta</translation>
     </message>
     <message>
         <source>Rename Recipe</source>
-        <translation>Cambiar el nombre de la receta</translation>
+        <translation>Renombrar la receta</translation>
     </message>
     <message>
         <source>Rename Set</source>
-        <translation>Cambiar el nombre del juego</translation>
+        <translation>Renombrar el juego de valores</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -11703,7 +11831,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Remove Set</source>
-        <translation>Quitar juego</translation>
+        <translation>Quitar juego de valores</translation>
     </message>
     <message>
         <source>Remove Row</source>
@@ -11711,7 +11839,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Add a recipe, then its variables, then a set for each product.</source>
-        <translation>Añada una receta, después sus variables y después un juego para cada producto.</translation>
+        <translation>Añada una receta, después sus variables y después un juego de valores para cada producto.</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -11759,7 +11887,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>A row needs a variable; Remove Row or Set takes the row away.</source>
-        <translation>Una fila necesita una variable; «Quitar fila o juego» la elimina.</translation>
+        <translation>Una fila necesita una variable; «Quitar fila o juego de valores» la elimina.</translation>
     </message>
     <message>
         <source>%1 is already in the recipe; choose another variable.</source>
@@ -11929,7 +12057,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
-        <translation>%1 no es un código de idioma; elija uno de la lista o escriba un código como de o zh-CN</translation>
+        <translation>%1 no es una etiqueta de idioma; elija una de la lista o escriba una etiqueta como de o zh-CN</translation>
     </message>
     <message>
         <source>The table already has %1; choose another language</source>
@@ -12354,7 +12482,7 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Ajuste</translation>
+        <translation>Ajustar</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12845,6 +12973,229 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt *.trace);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocolo</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Habilitado</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Número de unidad</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Puerto serie</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Velocidad de transmisión</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paridad</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de datos</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits de parada</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalo de sondeo</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tiempo de espera</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pausa máxima entre intentos</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: el dispositivo responde</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identificador del cliente</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Archivo de la contraseña</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Cifrado TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Archivo de certificados de la CA</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit del registro</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Orden de los bytes</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Ruta en el mensaje JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Calidad de servicio (QoS, 0 a 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Mensaje retenido (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Si se pierde la conexión</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valor seguro</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: el canal es válido</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Dispositivo Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Dispositivo Modbus RTU (serie)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Servidor Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Bróker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobina (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrada discreta</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registro de retención</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registro de entrada</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Conservar el último valor</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Usar el valor seguro</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Parar el controlador</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Par</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impar</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Sí</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>No</translation>
     </message>
 </context>
 </TS>

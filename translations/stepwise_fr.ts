@@ -180,12 +180,12 @@
         <translation>pas de réponse en {0}&#xa0;ms&#x202f;; vérifiez le câble, l’adresse et le numéro d’unité</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>la connexion a été interrompue&#xa0;: {0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>la connexion a été interrompue&#xa0;: {0}&#x202f;; elle est en cours de rétablissement</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
-        <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse, la parité et le numéro d’unité</translation>
+        <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse de transmission, la parité et le numéro d’unité</translation>
     </message>
     <message>
         <source>the device rejects {0} {1}: {2}</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>The devices of an attached controller are connected there; detach to connect them here</source>
-        <translation>Les appareils d’un automate rattaché sont reliés là-bas&#x202f;; détachez-vous pour les connecter ici</translation>
+        <translation>Les appareils d’un automate distant sont reliés là-bas&#x202f;; déconnectez-vous pour les relier ici</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
-        <translation>{0} et {1} utilisent {2} avec un débit, une parité ou un nombre de bits différents&#x202f;; réglez les deux de la même façon</translation>
+        <translation>{0} et {1} utilisent {2} avec une vitesse, une parité ou un nombre de bits différents&#x202f;; réglez les deux de la même façon</translation>
     </message>
     <message>
         <source>{0} and {1} both set {2} {3}; give each its own</source>
@@ -335,20 +335,20 @@
         <translation>Il manque un deux-points entre le nom et son type&#x202f;; l’ajouter</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>Les nombres décimaux utilisent le point&#xa0;: {0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>Les nombres décimaux utilisent le point&#x202f;; écrire {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>Il manque {0}&#x202f;; le POU se termine ici</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>Il manque {0}&#xa0;: le POU se termine ici&#x202f;; l’ajouter</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Il manque un point-virgule ici&#x202f;; l’instruction se termine ici</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>Il manque un point-virgule&#xa0;: l’instruction se termine ici&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} se contient lui-même&#x202f;; utiliser un REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie&#x202f;; copier ses déclarations</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>La condition {0} n’est pas l’une de defined, hasvalue, hasattribute, hastype avec NOT, AND, OR</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>La condition {0} est inconnue&#x202f;; combiner defined, hasvalue, hasattribute et hastype avec NOT, AND et OR</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou unités d’organisation</translation>
+        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou POU</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -596,7 +596,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de cette unité d’organisation</translation>
+        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de ce POU</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -671,8 +671,8 @@
         <translation>{0} demande de la mémoire que le projet ne réserve pas&#x202f;; écrire &quot;memoryForNew&quot;: 65536 dans project.json</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} n’est pas un bloc de ce programme&#x202f;; seul un bloc peut avoir sa propre tâche</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} n’est pas un bloc de ce programme et ne peut pas avoir sa propre tâche&#x202f;; indiquer l’un de ses blocs</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} n’est autorisé que dans un TEST&#x202f;; l’y déplacer</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>Ce n’est pas du texte en UTF-8&#x202f;; enregistrer le fichier en UTF-8, ou le retirer du projet si ce n’est pas un fichier texte</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} n’est pas un qualificatif d’action&#x202f;; utiliser N, R, S, L, D, P, P0, P1, SD, DS ou SL</translation>
     </message>
 </context>
 <context>
@@ -1264,12 +1272,12 @@
         <translation>Il n’y a pas d’équivalent dans l’autre langage&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>C’est un dossier&#x202f;; il faut un fichier</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>C’est un dossier&#x202f;; choisissez un fichier</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>C’est un périphérique&#x202f;; il faut un fichier</translation>
+        <source>This is a device; choose a file</source>
+        <translation>C’est un périphérique&#x202f;; choisissez un fichier</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>L’exécution diffère de l’enregistrement {0}&#x202f;; supprimez-le pour enregistrer de nouveau, si le nouveau comportement est juste</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>la condition ne peut pas être évaluée</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>la condition ne peut pas être évaluée&#x202f;; utilisez des variables, des opérateurs et des fonctions standard</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -1601,7 +1609,7 @@
     </message>
     <message>
         <source>The kind of element {0} is not a text; write it in quotes</source>
-        <translation>Le genre de l’élément {0} n’est pas un texte&#x202f;; écrivez-le entre guillemets</translation>
+        <translation>Le type de l’élément {0} n’est pas un texte&#x202f;; écrivez-le entre guillemets</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
@@ -1677,7 +1685,7 @@
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Cette version ne connaît pas le genre d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
+        <translation>Cette version ne connaît pas le type d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
     </message>
     <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
@@ -1720,8 +1728,8 @@
         <translation>{0} est {1}&#x202f;; il faut ici une valeur simple</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Un espace réservé n’est pas fermé par {0}</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>Un espace réservé n’est pas fermé&#x202f;; ajoutez {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1797,11 +1805,11 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
+        <translation>Le fichier est dans l’encodage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus&#x202f;; exportez-le de nouveau sans eux</translation>
+        <translation>Le fichier déclare un type de document ou des entités propres, ce qui n’est pas pris en charge&#x202f;; exportez-le de nouveau sans eux</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -1864,8 +1872,8 @@
         <translation>Le texte de la clé {0} en {1} a changé depuis l’exportation&#x202f;; vérifiez la traduction</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>La traduction de la clé {0} n’a pas les mêmes espaces réservés que sa source et n’a pas été reprise</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>La traduction de la clé {0} n’a pas les mêmes espaces réservés que sa source et n’a pas été reprise&#x202f;; utilisez les mêmes</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1884,8 @@
         <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée&#x202f;; utilisez-en une plus petite</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée&#x202f;; utilisez-en une plus petite</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1984,12 @@
         <translation>Aucun texte n’indique à quoi cela sert&#x202f;; ajoutez-en un, ou placez-en un à côté</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>{0} est entre {1} et {2} dans l’enregistrement, la plage de {3} à {4} le tronque donc</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>{0} est entre {1} et {2} dans l’enregistrement, la plage de {3} à {4} le tronque donc&#x202f;; élargissez-la</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} n’est pas entre {1} et {2}&#x202f;; {3} est utilisé</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} n’est pas entre {1} et {2}, {3} est donc utilisé&#x202f;; corrigez la valeur</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2008,8 +2016,8 @@
         <translation>{0} (essayé avec {1})</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>Le programme n’a pas été compilé à partir de sources.</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>Le programme n’a pas été compilé à partir de sources&#x202f;; ouvrez son projet.</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>Ce cycle n’est plus dans l’enregistrement&#x202f;; choisissez un cycle ultérieur.</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>Le cycle précédent n’est pas dans l’enregistrement, les valeurs au début de ce cycle sont donc inconnues&#x202f;; choisissez un cycle ultérieur.</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2052,8 +2060,8 @@
         <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y est donc affichée&#x202f;; ajoutez-en une</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs&#x202f;; tout le monde peut le commander</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs, tout le monde peut donc le commander&#x202f;; ajoutez des utilisateurs</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2145,27 +2153,27 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Une police de {0}&#xa0;px n’est pas lisible à {2} mm&#x202f;; utilisez au moins {1}&#xa0;px</translation>
+        <translation>Une police de {0}&#xa0;px n’est pas lisible à {2}&#xa0;mm&#x202f;; utilisez au moins {1}&#xa0;px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2} mm, il faut {1}&#xa0;px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2}&#xa0;mm, il faut {1}&#xa0;px&#x202f;; agrandissez-la</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici qu’il ne reste que {0} px pour un doigt&#x202f;; il faut {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>La vue d’objet est si petite ici qu’il ne reste que {0}&#xa0;px pour un doigt&#x202f;; il faut {1}&#xa0;px&#x202f;; agrandissez-la</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2} px dans les deux sens</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2}&#xa0;px dans les deux sens&#x202f;; agrandissez l’élément</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>La vue affiche {0} valeurs et commandes&#x202f;; le maximum pour sa taille est {1}&#x202f;; déplacez-en vers une autre vue</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>La vue {0} est à {1} appuis de la vue de départ&#x202f;; {2} devraient suffire</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>La vue {0} est à {1} appuis de la vue de départ&#x202f;; ajoutez un accès en {2} au plus</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -2177,7 +2185,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Les états normaux sont gris, pour que les états anormaux ressortent (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur qu’aux états.</translation>
+        <translation>Les états normaux sont gris, pour que les états anormaux ressortent (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur que par des conditions.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2201,7 +2209,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>Ce qui figure sur plusieurs vues se trouve sans regarder si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
+        <translation>Ce qui figure sur plusieurs vues se trouve sans chercher si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2221,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>Un doigt qui glisse envoie 500 au lieu de 50. Des limites le refusent à la saisie.</translation>
+        <translation>Une faute de frappe envoie 500 au lieu de 50. Des limites la refusent à la saisie.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2241,7 +2249,7 @@
     </message>
     <message>
         <source>A finger needs 7 mm in both directions, a gloved one 9 mm, as the strict level requires. The size of a pixel is set in project.json.</source>
-        <translation>Un doigt demande 7 mm dans les deux sens, 9 mm avec un gant, comme l’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
+        <translation>Un doigt demande 7&#xa0;mm dans les deux sens, 9&#xa0;mm avec un gant, comme l’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
@@ -2705,7 +2713,7 @@
     </message>
     <message>
         <source>{0} suppresses alarms, but a single press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} masque des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
+        <translation>{0} inhibe des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
     </message>
     <message>
         <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
@@ -2713,7 +2721,11 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue que l’on voit en premier doit dire sur quoi appuyer&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
+        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue de départ doit dire sur quoi appuyer ensuite&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} n’est pas un code de langue&#x202f;; utilisez des codes comme {1} ou {2}</translation>
     </message>
 </context>
 <context>
@@ -2928,7 +2940,7 @@
     </message>
     <message>
         <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>Quatre convoyeurs dépilent des cartons&#x202f;; leurs réglages peuvent être copiés</translation>
+        <translation>Quatre convoyeurs déchargent des cartons de palettes&#x202f;; leurs réglages peuvent être copiés</translation>
     </message>
     <message>
         <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
@@ -2964,7 +2976,7 @@
     </message>
     <message>
         <source>A 4 to 20 mA level sensor, three lamps and wire break detection</source>
-        <translation>Un capteur de niveau de 4 à 20 mA, trois voyants et la détection de rupture de fil</translation>
+        <translation>Un capteur de niveau de 4 à 20&#xa0;mA, trois voyants et la détection de rupture de fil</translation>
     </message>
     <message>
         <source>Three machine signals on three lamps that flash or stay on</source>
@@ -3044,7 +3056,7 @@
     </message>
     <message>
         <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Un courant de 4 à 20 mA devient un niveau, et le niveau un volume</translation>
+        <translation>Un courant de 4 à 20&#xa0;mA devient un niveau, et le niveau un volume</translation>
     </message>
     <message>
         <source>Red, yellow and green from one seconds counter, written in three ways</source>
@@ -3091,7 +3103,7 @@
     <name>Exchange</name>
     <message>
         <source>The file is written in {0}</source>
-        <translation>Le fichier est codé en {0}</translation>
+        <translation>Le fichier est encodé en {0}</translation>
     </message>
     <message>
         <source>The file was not read: {0}</source>
@@ -3122,12 +3134,12 @@
         <translation>L’élément {0} du grafcet n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transition depuis {0} n’a pas de condition&#x202f;; elle est écrite comme FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>La transition depuis {0} n’a pas de condition et est écrite comme FALSE&#x202f;; saisissez sa condition</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur&#x202f;; sa dernière valeur n’est pas conservée</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur, sa dernière valeur n’est donc pas conservée&#x202f;; mémorisez-la dans une variable</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3150,12 @@
         <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas&#x202f;; faites-en un FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>Le résultat de {0} est utilisé à plusieurs endroits et calculé à chacun&#x202f;; affectez-le à une variable pour ne le calculer qu’une fois</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Le type du résultat de {0} est inconnu&#x202f;; il est calculé même si EN est FALSE</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>Le type du résultat de {0} est inconnu, il est donc calculé même si EN est FALSE&#x202f;; appelez-le sous un IF</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -3171,11 +3183,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin&#x202f;; écrivez son corps en ST</translation>
+        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se réfère à elle-même sans fin&#x202f;; écrivez son corps en ST</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
+        <translation>Une condition dans {0} appelle un bloc, ce qui n’est pas possible dans une condition&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3263,7 +3275,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>Les types que {0} possède de lui-même sont déclarés ici</translation>
+        <translation>Les types prédéfinis de {0} sont déclarés ici</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3271,19 +3283,19 @@
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
-        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer&#x202f;; déplacez-la à un multiple de sa taille</translation>
+        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas adresser&#x202f;; déplacez-la à un multiple de sa taille</translation>
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} agit hors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties et ne fait rien</translation>
+        <translation>{0} accède au système en dehors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties, mais ne fait rien</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans {0} devant</translation>
+        <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans le préfixe {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise possède lui-même les noms de la bibliothèque {0}&#x202f;; ils sont écrits sans {0} devant</translation>
+        <translation>Les noms de la bibliothèque {0} sont intégrés à Stepwise&#x202f;; ils sont écrits sans le préfixe {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3307,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>C’est une archive ZIP, quel que soit son nom&#x202f;; décompressez-la et importez le dossier</translation>
+        <translation>Malgré son nom, c’est une archive ZIP&#x202f;; décompressez-la et importez le dossier</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3328,6 +3340,34 @@
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>Le programme utilise {0} de la bibliothèque {1}, qui sort du cadre d’un automate simulé&#x202f;; déclarez des POU de ces noms qui font ce dont la simulation a besoin</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>Des conditions dans {0} sont dessinées avec des blocs&#x202f;; l’action {1}, exécutée à chaque cycle dès l’étape initiale, les appelle</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>Le corps dessiné de {0} n’a pas été lu&#x202f;; ouvrez le projet dans CODESYS V3 et exportez-le depuis là en PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>Le corps dessiné de {0} n’a pas été lu&#xa0;: l’ordre des entrées de {1} n’est pas connu. Importez le fichier qui déclare {1} avec celui-ci</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>Le programme utilise {0}, qu’aucun de ses fichiers ne déclare&#x202f;; le projet utilise la bibliothèque {1}, qui le contient</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>La tâche {0} exécute {1}, un programme d’une bibliothèque&#x202f;; il a été omis. Appelez ce dont la machine a besoin depuis un programme du projet</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>Les variables de cette extension sont déclarées dans {0}&#x202f;; son code en C ou en Python n’est pas exécuté. Écrivez-les en ST comme le fait le code</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>La version 0201 ne prend pas en charge les arguments du constructeur de {0}&#x202f;; ils ont été omis</translation>
     </message>
 </context>
 <context>
@@ -3819,7 +3859,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>Pas</translation>
+        <translation>Paliers</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3927,7 +3967,7 @@
     </message>
     <message>
         <source>Colour running</source>
-        <translation>Couleur en marche</translation>
+        <translation>Couleur (en marche)</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -3971,7 +4011,7 @@
     </message>
     <message>
         <source>Colour lit</source>
-        <translation>Couleur allumé</translation>
+        <translation>Couleur (allumé)</translation>
     </message>
     <message>
         <source>Icon</source>
@@ -4175,11 +4215,11 @@
     </message>
     <message>
         <source>Colour raised</source>
-        <translation>Couleur levé</translation>
+        <translation>Couleur (levé)</translation>
     </message>
     <message>
         <source>Colour hanging</source>
-        <translation>Couleur pendant</translation>
+        <translation>Couleur (pendant)</translation>
     </message>
     <message>
         <source>Cell grid</source>
@@ -5138,7 +5178,7 @@
     </message>
     <message>
         <source>Damper</source>
-        <translation>Clapet</translation>
+        <translation>Registre</translation>
     </message>
     <message>
         <source>Building</source>
@@ -5172,6 +5212,14 @@
         <source>Change the theme</source>
         <translation>Changer de thème</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>Symbole de voyant</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>Ampoule</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5185,7 +5233,7 @@
     </message>
     <message>
         <source>set by code that the compiler adds ({0})</source>
-        <translation>écrit par ce que le compilateur ajoute ({0})</translation>
+        <translation>écrit par du code que le compilateur ajoute ({0})</translation>
     </message>
     <message>
         <source>written from outside</source>
@@ -5385,7 +5433,7 @@
     </message>
     <message>
         <source>it does not run</source>
-        <translation>ne tourne pas</translation>
+        <translation>n’est pas en marche</translation>
     </message>
     <message>
         <source>it has run {0} of {1}, {2} to go</source>
@@ -5444,8 +5492,8 @@
         <translation>«&#xa0;Pourquoi pas&#x202f;?&#xa0;» demande une condition (BOOL), par exemple «&#xa0;Main.level &gt; 80&#xa0;»</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>le programme n’a pas été compilé à partir de sources</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>le programme n’a pas été compilé à partir de sources&#x202f;; ouvrez son projet</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -6033,7 +6081,7 @@
     </message>
     <message>
         <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>Les points d’arrêt arrêtent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
+        <translation>Les points d’arrêt immobilisent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
     </message>
     <message>
         <source>{0} is forced; release it before writing</source>
@@ -6048,8 +6096,8 @@
         <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; corrigez-les&#xa0;: en attendant, l’automate continue avec l’ancien</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
@@ -6115,6 +6163,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>{0} est injoignable en TLS&#xa0;: {1}&#x202f;; démarrez son automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>{0} est injoignable&#xa0;: {1}&#x202f;; vérifiez l’adresse et le réseau</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>Rien ne répond à {0}&#x202f;; vérifiez le port et si «&#xa0;stepwise serve&#xa0;» y est en marche</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>Il n’y a pas d’ordinateur nommé {0}&#x202f;; vérifiez le nom dans l’adresse</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>Le serveur à {0} n’est pas un automate démarré avec «&#xa0;stepwise serve&#xa0;»&#x202f;; vérifiez l’hôte et le port</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>Le serveur à {0} ne parle pas TLS&#x202f;; démarrez l’automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6125,6 +6193,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>L’encodage {0} est inconnu&#x202f;; choisissez parmi {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>«&#xa0;{0}&#xa0;» doit être une liste de noms&#x202f;; écrivez-les entre guillemets, entre crochets</translation>
     </message>
 </context>
 <context>
@@ -6170,7 +6242,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie en manuel et enregistrez cela</translation>
+        <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie et enregistrez la réponse</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6178,7 +6250,7 @@
     </message>
     <message>
         <source>No model explains the output; something else affects it</source>
-        <translation>Aucun modèle n’explique le comportement de la sortie&#x202f;; autre chose la fait bouger</translation>
+        <translation>Aucun modèle n’explique la sortie&#x202f;; autre chose agit sur elle</translation>
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
@@ -6358,7 +6430,7 @@
     </message>
     <message>
         <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
-        <translation>Oscille avec une période de {0} s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
+        <translation>Oscille avec une période de {0}&#xa0;s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
     </message>
     <message>
         <source>It does not oscillate.</source>
@@ -6382,7 +6454,7 @@
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>{0}&#xa0;% du comportement de la valeur mesurée est du bruit.</translation>
+        <translation>{0}&#xa0;% de la variation de la valeur mesurée est du bruit.</translation>
     </message>
     <message>
         <source>the output did not respond: the controller was not active</source>
@@ -6486,7 +6558,7 @@
     </message>
     <message>
         <source>verdict</source>
-        <translation>verdict</translation>
+        <translation>évaluation</translation>
     </message>
     <message>
         <source>output</source>
@@ -6606,11 +6678,11 @@
     </message>
     <message>
         <source>lag {0} s ± {1} s</source>
-        <translation>constante de temps {0} s ± {1} s</translation>
+        <translation>constante de temps {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>frequency {0} rad/s ± {1} rad/s</source>
-        <translation>fréquence {0} rad/s ± {1} rad/s</translation>
+        <translation>fréquence {0}&#xa0;rad/s ± {1}&#xa0;rad/s</translation>
     </message>
     <message>
         <source>damping {0} ± {1}</source>
@@ -6618,11 +6690,11 @@
     </message>
     <message>
         <source>zero {0} s ± {1} s</source>
-        <translation>zéro {0} s ± {1} s</translation>
+        <translation>zéro {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>temps mort {0} s ± {1} s</translation>
+        <translation>temps mort {0}&#xa0;s ± {1}&#xa0;s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
@@ -6647,6 +6719,14 @@
     <message>
         <source>Residuals</source>
         <translation>Résidus</translation>
+    </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>La sortie du régulateur et la valeur mesurée sont identiques à chaque échantillon&#x202f;; choisissez une autre valeur mesurée</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups. Vérifiez-le avec le régulateur en manuel&#xa0;: l’oscillation s’arrête alors&#x202f;; si elle continue, la cause est externe.</translation>
     </message>
 </context>
 <context>
@@ -6697,7 +6777,7 @@
     </message>
     <message>
         <source>The input does not change here, so there is no response; show another section</source>
-        <translation>L’entrée ne varie pas ici, il n’y a donc pas de réponse&#x202f;; affichez une autre section</translation>
+        <translation>L’entrée ne varie pas ici, il n’y a donc pas de réponse&#x202f;; affichez une autre plage</translation>
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
@@ -6730,6 +6810,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>Les temps de {0} reculent&#x202f;; enregistrez la trace de nouveau</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>Le fichier est vide&#x202f;; exportez de nouveau le tableau</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>Le tableau a {0} colonnes {1}&#x202f;; donnez à chacune son propre en-tête</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>La colonne {0} ne contient pas de nombres&#x202f;; choisissez-en une parmi {1}</translation>
     </message>
 </context>
 <context>
@@ -6994,6 +7086,10 @@
         <source>online: %1 of %2</source>
         <translation>en ligne&#xa0;: %1 sur %2</translation>
     </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>«&#xa0;%1&#xa0;» dans devices.json</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::EditorTabs</name>
@@ -7217,7 +7313,7 @@ Non conservés&#xa0;: %3</translation>
     </message>
     <message>
         <source>program units</source>
-        <translation>unités d’organisation</translation>
+        <translation>POU</translation>
     </message>
     <message>
         <source>data types</source>
@@ -7272,7 +7368,7 @@ Non conservés&#xa0;: %3</translation>
     <name>plc::app::InsideViews</name>
     <message>
         <source>Coverage of the latest %1 of %2 recorded scans</source>
-        <translation>Couverture des %1 derniers cycles sur %2 de l’enregistrement</translation>
+        <translation>Couverture des %1 derniers cycles sur %2 enregistrés</translation>
     </message>
     <message>
         <source>There is no recording yet: run the program first.</source>
@@ -8045,7 +8141,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme problèmes&#xa0;: %1</translation>
+        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme erreurs&#xa0;: %1</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -8342,6 +8438,34 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Help</source>
         <translation>Aide</translation>
     </message>
+    <message>
+        <source>Go To</source>
+        <translation>Aller à</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Signets</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Volets</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8359,11 +8483,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Take Over</source>
-        <translation>Reprendre</translation>
+        <translation>Adopter</translation>
     </message>
     <message>
         <source>Take Over All</source>
-        <translation>Tout reprendre</translation>
+        <translation>Tout adopter</translation>
     </message>
     <message>
         <source>Here (this text is kept)</source>
@@ -8673,7 +8797,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>More: choose in the watch</source>
-        <translation>Autres : choisir dans la fenêtre de surveillance</translation>
+        <translation>Autres&#xa0;: choisir dans la fenêtre de surveillance</translation>
     </message>
     <message>
         <source>Project</source>
@@ -10500,7 +10624,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Take Back</source>
-        <translation>Revenir en arrière</translation>
+        <translation>Restaurer</translation>
     </message>
     <message>
         <source>Writes the parameters that were in force before.</source>
@@ -10520,7 +10644,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Moved</source>
-        <translation>Modifié</translation>
+        <translation>Variation</translation>
     </message>
     <message>
         <source>From</source>
@@ -10727,7 +10851,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Taken back: %1</source>
-        <translation>Annulé&#xa0;: %1</translation>
+        <translation>Restauré&#xa0;: %1</translation>
     </message>
     <message>
         <source>Residuals of the model</source>
@@ -11172,6 +11296,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>Choisissez un tableau à un indice, par exemple Plant.Valves.</translation>
     </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>Elles vont jusqu’à %1 × %2, la vue seulement jusqu’à %3 × %4&#xa0;: réduisez la vue d’objet ou agrandissez la vue.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::ArrayDialog</name>
@@ -11265,7 +11393,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::hmi::Palette</name>
     <message>
         <source>Search elements</source>
-        <translation>Rechercher</translation>
+        <translation>Rechercher des éléments</translation>
     </message>
     <message>
         <source>Faceplates</source>
@@ -11280,7 +11408,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Issue</source>
-        <translation>Message</translation>
+        <translation>Problème</translation>
     </message>
     <message>
         <source>Element</source>
@@ -11324,7 +11452,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Aligner les centres</translation>
+        <translation>Centrer horizontalement</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -11336,7 +11464,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Aligner les milieux</translation>
+        <translation>Centrer verticalement</translation>
     </message>
     <message>
         <source>Align bottom</source>
@@ -11488,7 +11616,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Issues</source>
-        <translation>Messages</translation>
+        <translation>Problèmes</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
@@ -11594,15 +11722,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>Déconnecté après</translation>
+        <translation>Déconnexion après</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>Déconnecté après </translation>
+        <translation>Déconnexion après </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Déconnecté après</translation>
+        <translation>Déconnexion après</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11659,11 +11787,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Add a Set</source>
-        <translation>Ajouter un jeu</translation>
+        <translation>Ajouter un jeu de valeurs</translation>
     </message>
     <message>
         <source>Remove Row or Set</source>
-        <translation>Retirer la ligne ou le jeu</translation>
+        <translation>Retirer la ligne ou le jeu de valeurs</translation>
     </message>
     <message>
         <source>Remove Recipe</source>
@@ -11687,7 +11815,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Variables and sets of the recipe</source>
-        <translation>Variables et jeux de la recette</translation>
+        <translation>Variables et jeux de valeurs de la recette</translation>
     </message>
     <message>
         <source>Rename Recipe</source>
@@ -11695,7 +11823,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Rename Set</source>
-        <translation>Renommer le jeu</translation>
+        <translation>Renommer le jeu de valeurs</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -11703,7 +11831,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Remove Set</source>
-        <translation>Retirer le jeu</translation>
+        <translation>Retirer le jeu de valeurs</translation>
     </message>
     <message>
         <source>Remove Row</source>
@@ -11711,7 +11839,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Add a recipe, then its variables, then a set for each product.</source>
-        <translation>Ajoutez une recette, puis ses variables, puis un jeu pour chaque produit.</translation>
+        <translation>Ajoutez une recette, puis ses variables, puis un jeu de valeurs pour chaque produit.</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -11759,7 +11887,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>A row needs a variable; Remove Row or Set takes the row away.</source>
-        <translation>Une ligne doit avoir une variable&#x202f;; «&#xa0;Retirer la ligne ou le jeu&#xa0;» la supprime.</translation>
+        <translation>Une ligne doit avoir une variable&#x202f;; «&#xa0;Retirer la ligne ou le jeu de valeurs&#xa0;» la supprime.</translation>
     </message>
     <message>
         <source>%1 is already in the recipe; choose another variable.</source>
@@ -11817,7 +11945,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Import CSV</source>
-        <translation>Importer un CSV</translation>
+        <translation>Importer un fichier CSV</translation>
     </message>
     <message>
         <source>Text tables (*.csv *.txt)</source>
@@ -11929,7 +12057,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 is not a language tag; choose one from the list, or enter a tag such as de or zh-CN</source>
-        <translation>%1 n’est pas un code de langue&#x202f;; choisissez-en un dans la liste ou saisissez un code tel que de ou zh-CN</translation>
+        <translation>%1 n’est pas une étiquette de langue&#x202f;; choisissez-en une dans la liste ou saisissez une étiquette telle que de ou zh-CN</translation>
     </message>
     <message>
         <source>The table already has %1; choose another language</source>
@@ -12354,7 +12482,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Ajustement</translation>
+        <translation>Ajuster</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12845,6 +12973,229 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt *.trace);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Activé</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Hôte</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Numéro d’unité</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Vitesse de transmission</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parité</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de données</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits d’arrêt</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalle de scrutation</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Délai d’attente</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pause maximale entre les tentatives</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable&#xa0;: l’appareil répond</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identifiant du client</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Fichier du mot de passe</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Chiffrement TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fichier des certificats de l’AC</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit du registre</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Ordre des octets</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Chemin dans le message JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Qualité de service (QoS 0 à 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Message conservé par le broker (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>En cas de perte de connexion</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valeur sûre</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable&#xa0;: la voie est valide</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Appareil Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Appareil Modbus RTU (série)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Serveur Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobine (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrée discrète</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registre de maintien</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Garder la dernière valeur</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Utiliser la valeur sûre</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Arrêter l’automate</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impaire</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
     </message>
 </context>
 </TS>

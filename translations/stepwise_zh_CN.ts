@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
-        <translation>没有字段“{0}”；您是指“{1}”吗？</translation>
+        <translation>没有字段“{0}”；是否指“{1}”？</translation>
     </message>
     <message>
         <source>There are two devices named {0}; rename one</source>
@@ -180,8 +180,8 @@
         <translation>{0} ms 内没有应答；请检查电缆、地址和站号</translation>
     </message>
     <message>
-        <source>the connection ended: {0}</source>
-        <translation>连接已断开：{0}</translation>
+        <source>the connection ended: {0}; it is being set up again</source>
+        <translation>连接已断开：{0}；正在重新建立</translation>
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
@@ -335,20 +335,20 @@
         <translation>名称与类型之间缺少冒号；请添加</translation>
     </message>
     <message>
-        <source>Decimal numbers use a point: {0}</source>
-        <translation>小数使用点号：{0}</translation>
+        <source>Decimal numbers use a point; write {0}</source>
+        <translation>小数使用点号；请写 {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>{0} is missing; the program unit ends here</source>
-        <translation>缺少 {0}；POU 在此处结束</translation>
+        <source>{0} is missing: the program unit ends here; add it</source>
+        <translation>缺少 {0}：POU 在此处结束；请添加</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; the statement ends here</source>
-        <translation>此处缺少分号；语句在此处结束</translation>
+        <source>A semicolon is missing: the statement ends here; add it</source>
+        <translation>缺少分号：语句在此处结束；请添加</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
@@ -387,8 +387,8 @@
         <translation>{0} 包含自身；请使用 REFERENCE TO</translation>
     </message>
     <message>
-        <source>The parameters of {0} must match those of the overridden method</source>
-        <translation>{0} 的参数必须与被重写的方法一致</translation>
+        <source>The parameters of {0} must match those of the overridden method; copy its declarations</source>
+        <translation>{0} 的参数必须与被重写的方法一致；请复制其声明</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,8 +491,8 @@
         <translation>{0}</translation>
     </message>
     <message>
-        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
-        <translation>条件 {0} 不是 defined、hasvalue、hasattribute、hastype 与 NOT、AND、OR 的组合</translation>
+        <source>The condition {0} is not known; combine defined, hasvalue, hasattribute and hastype with NOT, AND and OR</source>
+        <translation>条件 {0} 未知；请用 NOT、AND 和 OR 组合 defined、hasvalue、hasattribute 和 hastype</translation>
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>嵌套过深，无法编译；请拆分为多条语句或多个程序组织单元</translation>
+        <translation>嵌套过深，无法编译；请拆分为多条语句或多个 POU</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -596,7 +596,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>没有标号 {0}；请在此程序组织单元的一条语句前写上标号和冒号</translation>
+        <translation>没有标号 {0}；请在此 POU 的一条语句前写上标号和冒号</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -671,8 +671,8 @@
         <translation>{0} 需要项目未预留的内存；请在 project.json 中写入 &quot;memoryForNew&quot;: 65536</translation>
     </message>
     <message>
-        <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} 不是此程序的功能块；只有功能块可以有自己的任务</translation>
+        <source>{0} is not a block of this program and cannot have a task of its own; name one of its blocks</source>
+        <translation>{0} 不是此程序的功能块，不能有自己的任务；请指定其中一个功能块</translation>
     </message>
     <message>
         <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
-        <translation>监视和变量连接不能有副作用，因此不允许使用 {0}；请在程序中执行</translation>
+        <translation>监视和变量绑定不能有副作用，因此不允许使用 {0}；请在程序中执行</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address; assign the value to a variable first</source>
@@ -817,6 +817,14 @@
     <message>
         <source>{0} is only allowed in a TEST; move it there</source>
         <translation>{0} 只能在 TEST 中使用；请将其移到测试中</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8, or remove it from the project if it is not a text file</source>
+        <translation>不是 UTF-8 文本；请将文件保存为 UTF-8，若不是文本文件，请从项目中移除</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
+        <translation>{0} 不是动作限定符；请使用 N、R、S、L、D、P、P0、P1、SD、DS 或 SL</translation>
     </message>
 </context>
 <context>
@@ -1237,11 +1245,11 @@
     </message>
     <message>
         <source>This body is not an instruction list; choose a unit that is written in IL</source>
-        <translation>此主体不是指令表；请选择用 IL 编写的程序组织单元</translation>
+        <translation>此主体不是指令表；请选择用 IL 编写的 POU</translation>
     </message>
     <message>
         <source>This body is not ST; choose a unit that is written in ST</source>
-        <translation>此主体不是 ST；请选择用 ST 编写的程序组织单元</translation>
+        <translation>此主体不是 ST；请选择用 ST 编写的 POU</translation>
     </message>
     <message>
         <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
@@ -1264,12 +1272,12 @@
         <translation>在另一种语言中没有对应形式：{0}</translation>
     </message>
     <message>
-        <source>This is a folder; a file is needed</source>
-        <translation>这是文件夹；需要文件</translation>
+        <source>This is a folder; choose a file</source>
+        <translation>这是文件夹；请选择文件</translation>
     </message>
     <message>
-        <source>This is a device; a file is needed</source>
-        <translation>这是设备；需要文件</translation>
+        <source>This is a device; choose a file</source>
+        <translation>这是设备；请选择文件</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
@@ -1524,8 +1532,8 @@
         <translation>本次运行与记录 {0} 不同；若新的行为正确，请删除它以重新记录</translation>
     </message>
     <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>无法计算条件</translation>
+        <source>the condition cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>无法计算条件；请使用变量、运算符和标准函数</translation>
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
@@ -1720,8 +1728,8 @@
         <translation>{0} 是 {1}；此处需要单个值</translation>
     </message>
     <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>占位符没有以 {0} 结束</translation>
+        <source>A placeholder is not closed; add {0}</source>
+        <translation>占位符没有结束；请添加 {0}</translation>
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
@@ -1781,7 +1789,7 @@
     </message>
     <message>
         <source>It contains nothing that can be imported; export the project again with its units</source>
-        <translation>其中没有可导入的内容；请将项目连同其程序组织单元重新导出</translation>
+        <translation>其中没有可导入的内容；请将项目连同其 POU 重新导出</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
@@ -1801,7 +1809,7 @@
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>文件声明了自己的文档类型或实体，无法读取；请去掉后重新导出</translation>
+        <translation>文件声明了自己的文档类型或实体，这不受支持；请去掉后重新导出</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -1864,8 +1872,8 @@
         <translation>键 {0} 的 {1} 文本在导出后已更改；请检查翻译</translation>
     </message>
     <message>
-        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
-        <translation>键 {0} 的译文与原文的占位符不同，因此未采用</translation>
+        <source>The translation of the key {0} has other placeholders than its source and was not taken; use the same ones</source>
+        <translation>键 {0} 的译文与原文的占位符不同，因此未采用；请使用相同的占位符</translation>
     </message>
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
@@ -1876,8 +1884,8 @@
         <translation>图片 {0} 解压后大于 {1} MB；请使用较小的图片</translation>
     </message>
     <message>
-        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
-        <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制</translation>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn; use a smaller one</source>
+        <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制；请使用较小的图片</translation>
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
@@ -1976,12 +1984,12 @@
         <translation>没有文本说明其作用；请添加文本，或在旁边放置文本</translation>
     </message>
     <message>
-        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
-        <translation>记录中 {0} 在 {1} 与 {2} 之间，因此范围 {3} 到 {4} 会截断它</translation>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off; widen the range</source>
+        <translation>记录中 {0} 在 {1} 与 {2} 之间，因此范围 {3} 到 {4} 会截断它；请扩大范围</translation>
     </message>
     <message>
-        <source>{0} is not between {1} and {2}; {3} is used</source>
-        <translation>{0} 不在 {1} 与 {2} 之间；使用 {3}</translation>
+        <source>{0} is not between {1} and {2}, so {3} is used; correct it</source>
+        <translation>{0} 不在 {1} 与 {2} 之间，因此使用 {3}；请更正</translation>
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
@@ -2008,8 +2016,8 @@
         <translation>{0}（已用 {1} 尝试）</translation>
     </message>
     <message>
-        <source>The program was not built from sources.</source>
-        <translation>程序不是由源文件编译的。</translation>
+        <source>The program was not built from sources; open its project.</source>
+        <translation>程序不是由源文件编译的；请打开其项目。</translation>
     </message>
     <message>
         <source>The recording does not contain the program of this scan; choose a later scan.</source>
@@ -2020,8 +2028,8 @@
         <translation>此扫描周期已不在记录中；请选择较晚的扫描周期。</translation>
     </message>
     <message>
-        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
-        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known; choose a later scan.</source>
+        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值；请选择较晚的扫描周期。</translation>
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
@@ -2052,8 +2060,8 @@
         <translation>框架 {0} 没有画面区域，因此其中不显示画面；请添加画面区域</translation>
     </message>
     <message>
-        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
+        <source>Only for the roles {0}, but the project has no users, so anybody may operate it; add users</source>
+        <translation>仅限角色 {0}，但项目没有用户，任何人都可操作；请添加用户</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2105,7 +2113,7 @@
     </message>
     <message>
         <source>There is no rule {0}; did you mean {1}?</source>
-        <translation>没有规则 {0}；您是指 {1} 吗？</translation>
+        <translation>没有规则 {0}；是否指 {1}？</translation>
     </message>
     <message>
         <source>The rule stays on until a reason for switching it off is given</source>
@@ -2148,24 +2156,24 @@
         <translation>{0} px 的字体在 {2} mm 处无法看清；请至少使用 {1} px</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>此处面板组件太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px</translation>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed; enlarge it</source>
+        <translation>此处面板组件太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px；请将其放大</translation>
     </message>
     <message>
-        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>此处面板组件太小，只剩 {0} px 供手指按下；需要 {1} px</translation>
+        <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed; enlarge it</source>
+        <translation>此处面板组件太小，只剩 {0} px 供手指按下；需要 {1} px；请将其放大</translation>
     </message>
     <message>
-        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px</translation>
+        <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions; make it larger</source>
+        <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px；请将元素放大</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
         <translation>画面显示了 {0} 个值和控件；按其大小，最多为 {1} 个；请将一部分移到其他画面</translation>
     </message>
     <message>
-        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>画面 {0} 距起始画面需按 {1} 次；{2} 次应足够</translation>
+        <source>The panel {0} is {1} presses away from the start panel; add a way of at most {2}</source>
+        <translation>画面 {0} 距起始画面需按 {1} 次；请添加最多 {2} 次即可到达的途径</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -2177,7 +2185,7 @@
     </message>
     <message>
         <source>Normal states are grey so that abnormal ones are noticed (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>正常状态为灰色，以便发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，只为状态着色。</translation>
+        <translation>正常状态为灰色，以便发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，并只通过条件着色。</translation>
     </message>
     <message>
         <source>Red, orange and yellow are reserved for alarms. An operator who sees them all day long no longer notices them when they matter (ISA-101, ISA-18.2).</source>
@@ -2193,7 +2201,7 @@
     </message>
     <message>
         <source>On a panel that shows everything, operators have to search. Move details to a panel of the next level (ISA-101).</source>
-        <translation>在显示所有内容的画面上，操作员必须查找。请把细节移到下一级画面 (ISA-101)。</translation>
+        <translation>在显示所有内容的画面上，操作员不得不寻找信息。请把细节移到下一级画面 (ISA-101)。</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be at most three presses away, and there should be a way back from it (ISA-101).</source>
@@ -2201,7 +2209,7 @@
     </message>
     <message>
         <source>Operators find what is on several panels without searching if it is always in the same place. Put it on the frame, or in the same place everywhere.</source>
-        <translation>多个画面上的同一内容若总在同一位置，不看也能找到。请放在框架上，或在各处放在同一位置。</translation>
+        <translation>多个画面上的同一内容若总在同一位置，操作员无需寻找即可看到。请放在框架上，或在各处放在同一位置。</translation>
     </message>
     <message>
         <source>One element covers the other, so that a text cannot be read or the wrong element is pressed.</source>
@@ -2213,7 +2221,7 @@
     </message>
     <message>
         <source>A typing error sends 500 instead of 50. Limits reject it on entry.</source>
-        <translation>手指一滑就可能把 50 输成 500。限值会在输入时拒绝它。</translation>
+        <translation>输入失误会把 50 写成 500。限值会在输入时拒绝它。</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is useless. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2221,7 +2229,7 @@
     </message>
     <message>
         <source>An alarm requires the operator to act. Its help must say what to do, and what happens otherwise (ISA-18.2).</source>
-        <translation>报警要求操作员采取动作。其帮助应说明是哪一个动作，以及否则会发生什么 (ISA-18.2)。</translation>
+        <translation>报警要求操作员采取措施。其帮助必须说明该怎么做，以及不处理会发生什么 (ISA-18.2)。</translation>
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
@@ -2245,7 +2253,7 @@
     </message>
     <message>
         <source>Nothing is bound; fill in “{0}”</source>
-        <translation>没有绑定；请填写“{0}”</translation>
+        <translation>尚未绑定任何变量；请填写“{0}”</translation>
     </message>
     <message>
         <source>Any number can be written to {0}; set “{1}”</source>
@@ -2413,7 +2421,7 @@
     </message>
     <message>
         <source>Two sets of the recipe are named {0}; rename one</source>
-        <translation>配方的两组数据名为 {0}；请重命名其中一个</translation>
+        <translation>配方的两个数据组名为 {0}；请重命名其中一个</translation>
     </message>
     <message>
         <source>The alarm has no condition; enter one</source>
@@ -2653,7 +2661,7 @@
     </message>
     <message>
         <source>A set of a recipe has no name; give it one</source>
-        <translation>配方的一组数据没有名称；请为其命名</translation>
+        <translation>配方的一个数据组没有名称；请为其命名</translation>
     </message>
     <message>
         <source>The recipe has the variable {0} twice; remove one of the two</source>
@@ -2665,7 +2673,7 @@
     </message>
     <message>
         <source>There is no alarm class {0}; add it or choose another one</source>
-        <translation>没有报警类别 {0}；请添加或选择其他类</translation>
+        <translation>没有报警类别 {0}；请添加或选择其他类别</translation>
     </message>
     <message>
         <source>No panel and no alarm uses the key {0}; use it or remove it</source>
@@ -2713,7 +2721,11 @@
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or just waiting. The start panel must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。最先看到的画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
+        <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。起始画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
+    </message>
+    <message>
+        <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
+        <translation>{0} 不是语言代码；请使用 {1} 或 {2} 这样的代码</translation>
     </message>
 </context>
 <context>
@@ -2776,7 +2788,7 @@
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>带复位和使能的计时器</translation>
+        <translation>带复位和使能的小时计</translation>
     </message>
     <message>
         <source>Hourly production</source>
@@ -2784,7 +2796,7 @@
     </message>
     <message>
         <source>Item counter and meters</source>
-        <translation>工件与计量表</translation>
+        <translation>工件计数器与计量表</translation>
     </message>
     <message>
         <source>Level lamps</source>
@@ -2924,15 +2936,15 @@
     </message>
     <message>
         <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>传送带把工件送到右侧，等待十秒后送回</translation>
+        <translation>输送带把工件送到右侧，等待十秒后送回</translation>
     </message>
     <message>
         <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>四条传送带从托盘卸下箱子，设置可互相复制</translation>
+        <translation>四条输送带从托盘卸下箱子，设置可互相复制</translation>
     </message>
     <message>
         <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>区域供热的采暖和热水，带防冻和夏季模式</translation>
+        <translation>集中供热网络的采暖和热水，带防冻和夏季模式</translation>
     </message>
     <message>
         <source>A valve doses in pulses and pauses until the batch is complete</source>
@@ -2944,7 +2956,7 @@
     </message>
     <message>
         <source>Silo, bin, conveyor and truck, controlled by three parallel sequential function charts</source>
-        <translation>料仓、料斗、传送带和卡车，由三个并行的顺序功能图控制</translation>
+        <translation>料仓、料斗、输送带和卡车，由三个并行的顺序功能图控制</translation>
     </message>
     <message>
         <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
@@ -2952,11 +2964,11 @@
     </message>
     <message>
         <source>An hour meter that is loaded, enabled and held, giving a sawtooth</source>
-        <translation>可装载、启用和保持的计时器，曲线呈锯齿形</translation>
+        <translation>可装载、启用和保持的小时计，曲线呈锯齿形</translation>
     </message>
     <message>
         <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>压机生产工件，表格统计每小时的数量</translation>
+        <translation>压力机生产工件，表格统计每小时的数量</translation>
     </message>
     <message>
         <source>Counts items, energy and water; the counts survive a power failure</source>
@@ -2976,7 +2988,7 @@
     </message>
     <message>
         <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>称量液体，传送带送来两块料，然后搅拌并倾倒</translation>
+        <translation>称量液体，输送带送来两块料，然后搅拌并倾倒</translation>
     </message>
     <message>
         <source>Start, stop and a latching contactor, written in five ways that agree</source>
@@ -3024,7 +3036,7 @@
     </message>
     <message>
         <source>Starts and stops six pumps by level and running hours, with the daily inflow of a town</source>
-        <translation>按液位和运行时间启停六台泵，来水模拟城市的一天</translation>
+        <translation>按液位和运行小时数启停六台泵，进水按城镇一天的变化模拟</translation>
     </message>
     <message>
         <source>A rotary switch selects the speed of a motor, a number what a module does</source>
@@ -3122,12 +3134,12 @@
         <translation>顺序功能图的元素 {0} 未连接，已略去；请在原工具中连接后重新导出</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
+        <source>The transition from {0} has no condition and is written as FALSE; enter its condition</source>
+        <translation>从 {0} 出发的转换没有条件，写为 FALSE；请输入其条件</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
+        <source>The element {0} takes part in a loop without a block that stores a value, so its last value is not kept; store it in a variable</source>
+        <translation>元素 {0} 处于没有存储值的块的循环中，因此不保留其上次的值；请将其存入变量</translation>
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
@@ -3138,12 +3150,12 @@
         <translation>函数中的边沿需要上次调用的值，而函数不存储该值；请改为 FUNCTION_BLOCK</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>{0} 的结果在多处使用，并在每处计算</translation>
+        <source>The result of {0} is used in several places and is computed in each; assign it to a variable to compute it once</source>
+        <translation>{0} 的结果在多处使用，并在每处计算；若只需计算一次，请将其赋给变量</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
+        <source>The type of the result of {0} is not known, so it is computed although EN is FALSE; call it under an IF</source>
+        <translation>{0} 的结果类型未知，因此即使 EN 为 FALSE 也会计算；请在 IF 下调用</translation>
     </message>
     <message>
         <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
@@ -3171,11 +3183,11 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
-        <translation>{0} 中的图未读取：表达式无限重复；请用 ST 编写其主体</translation>
+        <translation>{0} 中的图未读取：表达式无限引用自身；请用 ST 编写其主体</translation>
     </message>
     <message>
         <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>{0} 中的条件需要调用块，而条件不能这样做；请先调用该块，再使用其输出</translation>
+        <translation>{0} 中的条件调用了块，而条件不能调用块；请先调用该块，再使用其输出</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -3227,7 +3239,7 @@
     </message>
     <message>
         <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>版本 0201 没有联合；{0} 已略去</translation>
+        <translation>版本 0201 没有联合体；{0} 已略去</translation>
     </message>
     <message>
         <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
@@ -3263,7 +3275,7 @@
     </message>
     <message>
         <source>Types that are predefined in {0} are declared here</source>
-        <translation>{0} 自带的类型在此处声明</translation>
+        <translation>{0} 预定义的类型在此处声明</translation>
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
@@ -3275,15 +3287,15 @@
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
-        <translation>{0} 涉及控制器之外；此处只声明其输入和输出，不执行任何操作</translation>
+        <translation>{0} 访问控制器之外的系统；此处声明其输入和输出，但不执行任何操作</translation>
     </message>
     <message>
         <source>The library {0} is part of this import; its names are written without the prefix {0}</source>
-        <translation>库 {0} 是此次导入的一部分；其名称前不写 {0}</translation>
+        <translation>库 {0} 是此次导入的一部分；其名称不带前缀 {0}</translation>
     </message>
     <message>
         <source>The names of the library {0} are built into Stepwise; they are written without the prefix {0}</source>
-        <translation>Stepwise 自身已有库 {0} 中的名称；书写时前面不带 {0}</translation>
+        <translation>库 {0} 的名称已内置于 Stepwise；书写时不带前缀 {0}</translation>
     </message>
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
@@ -3295,7 +3307,7 @@
     </message>
     <message>
         <source>This is a ZIP archive despite its name; extract it and import the folder</source>
-        <translation>无论文件名是什么，这都是 ZIP 压缩包；请解压后导入文件夹</translation>
+        <translation>尽管名称如此，此文件是 ZIP 压缩包；请解压后导入文件夹</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
@@ -3323,11 +3335,39 @@
     </message>
     <message>
         <source>Macro step {0} was replaced by the steps inside it; steps whose names were already used are prefixed with {0}</source>
-        <translation>宏步 {0} 已替换为其中的各步；名称已被使用的步前面加上了 {0}</translation>
+        <translation>宏步 {0} 已替换为其中的各步；名称已被使用的步加上了前缀 {0}</translation>
     </message>
     <message>
         <source>The program uses {0} of the library {1}, which reaches outside a simulated controller; declare POUs of these names that do what the simulation needs</source>
         <translation>程序使用了库 {1} 中的 {0}，它们涉及仿真控制器之外的内容；请声明同名的 POU，实现仿真所需的功能</translation>
+    </message>
+    <message>
+        <source>Conditions in {0} are drawn with blocks; the action {1}, which runs in every scan from the initial step on, calls them</source>
+        <translation>{0} 中的条件用块绘制；动作 {1} 从初始步起在每个扫描周期运行，并调用它们</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read; open the project in CODESYS V3 and export it there as PLCopen XML</source>
+        <translation>{0} 的图形主体未读取；请在 CODESYS V3 中打开项目，并导出为 PLCopen XML</translation>
+    </message>
+    <message>
+        <source>The drawn body of {0} was not read: the order of the inputs of {1} is not known. Import the file that declares {1} together with this one</source>
+        <translation>{0} 的图形主体未读取：不知道 {1} 的输入顺序。请将声明 {1} 的文件与此文件一起导入</translation>
+    </message>
+    <message>
+        <source>The program uses {0}, which none of its files declares; the project uses the library {1}, which has it</source>
+        <translation>程序使用了 {0}，但没有文件声明它；项目使用包含它的库 {1}</translation>
+    </message>
+    <message>
+        <source>The task {0} runs {1}, a program of a library; it was left out. Call what the machine needs of it from a program of the project</source>
+        <translation>任务 {0} 运行库中的程序 {1}；该程序已略去。请从项目的程序中调用机器所需的部分</translation>
+    </message>
+    <message>
+        <source>The variables of this extension are declared in {0}; its code in C or Python is not executed. Write to them in ST what the code does</source>
+        <translation>此扩展的变量在 {0} 中声明；其 C 或 Python 代码不会执行。请用 ST 按该代码的作用写入这些变量</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not support the constructor arguments of {0}; they were left out</source>
+        <translation>版本 0201 不支持 {0} 的构造函数参数；已略去</translation>
     </message>
 </context>
 <context>
@@ -3770,15 +3810,15 @@
     </message>
     <message>
         <source>Move right by</source>
-        <translation>向右移动</translation>
+        <translation>右移量</translation>
     </message>
     <message>
         <source>Move down by</source>
-        <translation>向下移动</translation>
+        <translation>下移量</translation>
     </message>
     <message>
         <source>Rotate by</source>
-        <translation>旋转</translation>
+        <translation>旋转量</translation>
     </message>
     <message>
         <source>Fixed language</source>
@@ -3818,7 +3858,7 @@
     </message>
     <message>
         <source>Steps</source>
-        <translation>步</translation>
+        <translation>阶梯</translation>
     </message>
     <message>
         <source>Points</source>
@@ -4162,7 +4202,7 @@
     </message>
     <message>
         <source>Siren if</source>
-        <translation>蜂鸣条件</translation>
+        <translation>蜂鸣器条件</translation>
     </message>
     <message>
         <source>Float switch</source>
@@ -5171,6 +5211,14 @@
         <source>Change the theme</source>
         <translation>切换主题</translation>
     </message>
+    <message>
+        <source>Lamp symbol</source>
+        <translation>指示灯符号</translation>
+    </message>
+    <message>
+        <source>Light bulb</source>
+        <translation>灯泡</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5308,7 +5356,7 @@
     </message>
     <message>
         <source>time passed.</source>
-        <translation>时间经过。</translation>
+        <translation>时间已过去。</translation>
     </message>
     <message>
         <source>it was the first scan.</source>
@@ -5443,8 +5491,8 @@
         <translation>“为什么不”需要条件 (BOOL)，例如“Main.level &gt; 80”</translation>
     </message>
     <message>
-        <source>the program was not built from sources</source>
-        <translation>程序不是由源文件编译的</translation>
+        <source>the program was not built from sources; open its project</source>
+        <translation>程序不是由源文件编译的；请打开其项目</translation>
     </message>
     <message>
         <source>this scan is not in the recording</source>
@@ -5498,7 +5546,7 @@
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>
-        <translation>记录中没有认识它的程序；请选择打开的程序中的回路</translation>
+        <translation>记录中的程序都不包含它；请选择打开的程序中的回路</translation>
     </message>
     <message>
         <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
@@ -5510,11 +5558,11 @@
     </message>
     <message>
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
-        <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验设置</translation>
+        <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验参数</translation>
     </message>
     <message>
         <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
-        <translation>调用中含有常量；只能在运行中控制器的记录上试用替代它们的设置</translation>
+        <translation>调用中含有常量；只能在运行中控制器的记录上试用替代它们的参数</translation>
     </message>
 </context>
 <context>
@@ -6016,7 +6064,7 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation>稳定时间</translation>
+        <translation>调节时间</translation>
     </message>
 </context>
 <context>
@@ -6046,8 +6094,8 @@
         <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
     </message>
     <message>
-        <source>The program has {0} {0:error|errors}; the controller continues with the old program</source>
-        <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
+        <source>The program has {0} {0:error|errors}; correct them: the controller continues with the old program until then</source>
+        <translation>程序有 {0} 个错误；请更正：在此之前控制器继续运行旧程序</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
@@ -6087,7 +6135,7 @@
     </message>
     <message>
         <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>{0} 的证书不受信任：{1}；请指定您信任的证书文件</translation>
+        <translation>{0} 的证书不受信任：{1}；请指定所信任的证书文件</translation>
     </message>
     <message>
         <source>The certificate cannot be read from {0}; it must be a PEM file</source>
@@ -6113,6 +6161,26 @@
         <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
         <translation>无法通过 TLS 连接 {0}：{1}；请用 --certificate 启动其控制器，或在同一台计算机上使用 http 地址</translation>
     </message>
+    <message>
+        <source>{0} cannot be reached: {1}; check the address and the network</source>
+        <translation>无法访问 {0}：{1}；请检查地址和网络</translation>
+    </message>
+    <message>
+        <source>Nothing answers at {0}; check the port, and whether `stepwise serve` runs there</source>
+        <translation>{0} 没有响应；请检查端口，以及“stepwise serve”是否在那里运行</translation>
+    </message>
+    <message>
+        <source>There is no computer named {0}; check the name in the address</source>
+        <translation>没有名为 {0} 的计算机；请检查地址中的名称</translation>
+    </message>
+    <message>
+        <source>The server at {0} is not a controller started with `stepwise serve`; check the host and the port</source>
+        <translation>{0} 处的服务器不是用“stepwise serve”启动的控制器；请检查主机和端口</translation>
+    </message>
+    <message>
+        <source>The server at {0} does not speak TLS; start the controller with --certificate, or use an http address on the same computer</source>
+        <translation>{0} 处的服务器不支持 TLS；请用 --certificate 启动控制器，或在同一台计算机上使用 http 地址</translation>
+    </message>
 </context>
 <context>
     <name>Storage</name>
@@ -6123,6 +6191,10 @@
     <message>
         <source>The encoding {0} is not known; choose one of {1}</source>
         <translation>未知编码 {0}；请从 {1} 中选择</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list of names; write them in quotes, in square brackets</source>
+        <translation>“{0}”必须是名称列表；请将名称加引号，放在方括号中</translation>
     </message>
 </context>
 <context>
@@ -6144,7 +6216,7 @@
     </message>
     <message>
         <source>usable</source>
-        <translation>可使用</translation>
+        <translation>可用</translation>
     </message>
     <message>
         <source>the input is at a limit for {0} % of the time</source>
@@ -6164,11 +6236,11 @@
     </message>
     <message>
         <source>usable; not at rest before it</source>
-        <translation>可使用；之前尚未稳定</translation>
+        <translation>可用；之前尚未稳定</translation>
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>记录中没有阶跃或扰动；请手动改变一次设定值或输出并记录</translation>
+        <translation>记录中没有阶跃或扰动；请改变一次设定值或输出，并记录响应</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6184,7 +6256,7 @@
     </message>
     <message>
         <source>Unstable: the oscillation would grow. Do not use these settings.</source>
-        <translation>不稳定：振荡会不断增大。请勿使用这些设置。</translation>
+        <translation>不稳定：振荡会不断增大。请勿使用这些参数。</translation>
     </message>
     <message>
         <source>Fragile: a small change of the process makes it oscillate.</source>
@@ -6364,15 +6436,15 @@
     </message>
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
-        <translation>设置可能是原因：按模型，回路以此周期振荡。</translation>
+        <translation>原因可能是参数设置：按模型，回路会以此周期振荡。</translation>
     </message>
     <message>
         <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>阀门卡涩可能是原因：输出平稳变化，而过程以跳变响应。</translation>
+        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
-        <translation>可能的原因在外部：设置和阀门卡涩都无法解释。</translation>
+        <translation>可能的原因在外部：参数设置和阀门卡涩都无法解释。</translation>
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
@@ -6392,7 +6464,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请手动改变一次设定值或输出并记录下来</translation>
+        <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请改变一次设定值或输出，并记录响应</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6432,7 +6504,7 @@
     </message>
     <message>
         <source>Settings</source>
-        <translation>设置</translation>
+        <translation>参数设置</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -6476,15 +6548,15 @@
     </message>
     <message>
         <source>from</source>
-        <translation>从</translation>
+        <translation>起始值</translation>
     </message>
     <message>
         <source>to</source>
-        <translation>到</translation>
+        <translation>终值</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation>判定</translation>
+        <translation>评价</translation>
     </message>
     <message>
         <source>output</source>
@@ -6620,15 +6692,15 @@
     </message>
     <message>
         <source>dead time {0} s ± {1} s</source>
-        <translation>死区时间 {0} s ± {1} s</translation>
+        <translation>纯滞后 {0} s ± {1} s</translation>
     </message>
     <message>
         <source>The gain is {0} upwards and {1} downwards; settings are made for {2}.</source>
-        <translation>上升增益为 {0}，下降增益为 {1}；设置按 {2} 计算。</translation>
+        <translation>上升增益为 {0}，下降增益为 {1}；参数按 {2} 计算。</translation>
     </message>
     <message>
         <source>The gain depends on the operating point: it is {0} where the measured value is about {1}, and {2} about {3}; settings are made for {4}. For one range alone, choose its steps only.</source>
-        <translation>增益取决于工作点：测量值约为 {1} 时为 {0}，约为 {3} 时为 {2}；设置按 {4} 计算。若只针对一个范围，请只选择该范围的阶跃。</translation>
+        <translation>增益取决于工作点：测量值约为 {1} 时为 {0}，约为 {3} 时为 {2}；参数按 {4} 计算。若只针对一个范围，请只选择该范围的阶跃。</translation>
     </message>
     <message>
         <source>usable; the output was set to its limit</source>
@@ -6645,6 +6717,14 @@
     <message>
         <source>Residuals</source>
         <translation>残差</translation>
+    </message>
+    <message>
+        <source>The controller output and the measured value are the same in every sample; choose another measured value</source>
+        <translation>控制器输出和测量值在每个采样中都相同；请选择其他测量值</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps. Check it with the controller in manual: the oscillation then stops; if it continues, the cause is external.</source>
+        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。请将调节器切换到手动进行检查：此时振荡会停止；若振荡继续，则原因在外部。</translation>
     </message>
 </context>
 <context>
@@ -6728,6 +6808,18 @@
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
         <translation>{0} 的时间倒退；请重新保存跟踪</translation>
+    </message>
+    <message>
+        <source>The file is empty; export the table again</source>
+        <translation>文件为空；请重新导出表格</translation>
+    </message>
+    <message>
+        <source>The table has {0} columns {1}; give each its own heading</source>
+        <translation>表中有 {0} 列 {1}；请给每列不同的标题</translation>
+    </message>
+    <message>
+        <source>Column {0} has no numbers; choose one of {1}</source>
+        <translation>列 {0} 没有数字；请从 {1} 中选择</translation>
     </message>
 </context>
 <context>
@@ -6991,6 +7083,10 @@
         <source>online: %1 of %2</source>
         <translation>在线：%1 / %2</translation>
     </message>
+    <message>
+        <source>“%1” in devices.json</source>
+        <translation>devices.json 中的“%1”</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::EditorTabs</name>
@@ -7211,7 +7307,7 @@ Not kept: %3</source>
     </message>
     <message>
         <source>program units</source>
-        <translation>程序组织单元</translation>
+        <translation>POU</translation>
     </message>
     <message>
         <source>data types</source>
@@ -7429,7 +7525,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>HALT</source>
-        <translation>中断</translation>
+        <translation>断点停止</translation>
     </message>
     <message>
         <source>FAULT</source>
@@ -8037,7 +8133,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>这些画面会跳转到它；其按钮将报告为问题：%1</translation>
+        <translation>这些画面会跳转到它；其按钮将报告为错误：%1</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -8069,7 +8165,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>This is your copy of the example, in %1</source>
-        <translation>这是您的示例副本，位于 %1</translation>
+        <translation>这是该示例的副本，位于 %1</translation>
     </message>
     <message>
         <source>The project is still being checked; try again in a moment</source>
@@ -8333,6 +8429,34 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Help</source>
         <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>转到</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>停靠窗口</translation>
     </message>
 </context>
 <context>
@@ -9219,7 +9343,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <name>plc::app::Tour</name>
     <message>
         <source>Back</source>
-        <translation>后退</translation>
+        <translation>上一步</translation>
     </message>
     <message>
         <source>Next</source>
@@ -10501,19 +10625,19 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>At</source>
-        <translation>时间</translation>
+        <translation>时刻</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation>变动量</translation>
+        <translation>变化量</translation>
     </message>
     <message>
         <source>From</source>
-        <translation>从</translation>
+        <translation>起始值</translation>
     </message>
     <message>
         <source>To</source>
-        <translation>到</translation>
+        <translation>终值</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -10663,7 +10787,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Settling time</source>
-        <translation>稳定时间</translation>
+        <translation>调节时间</translation>
     </message>
     <message>
         <source>Error after a load step</source>
@@ -10763,11 +10887,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>The recorded disturbance with these settings</source>
-        <translation>使用这些设置时记录的扰动</translation>
+        <translation>使用这些参数时记录的扰动</translation>
     </message>
     <message>
         <source>The recorded step with these settings</source>
-        <translation>使用这些设置时记录的阶跃</translation>
+        <translation>使用这些参数时记录的阶跃</translation>
     </message>
     <message>
         <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
@@ -10819,7 +10943,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Saves a report on the loop with model and settings as HTML or PDF.</source>
-        <translation>将回路报告（含模型和设置）保存为 HTML 或 PDF。</translation>
+        <translation>将回路报告（含模型和参数设置）保存为 HTML 或 PDF。</translation>
     </message>
     <message>
         <source>Health</source>
@@ -11155,6 +11279,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Choose an array with one index, for example Plant.Valves.</source>
         <translation>请选择只有一个下标的数组，例如 Plant.Valves。</translation>
+    </message>
+    <message>
+        <source>They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or the panel larger.</source>
+        <translation>它们延伸到 %1 × %2，而画面只到 %3 × %4：请缩小面板组件或扩大画面。</translation>
     </message>
 </context>
 <context>
@@ -11578,15 +11706,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>自动注销时间</translation>
+        <translation>自动退出登录时间</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>自动注销时间 </translation>
+        <translation>自动退出登录时间 </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>自动注销时间</translation>
+        <translation>自动退出登录时间</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -12333,7 +12461,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Fit</source>
-        <translation>适应方式</translation>
+        <translation>适应</translation>
     </message>
     <message>
         <source>Copy as picture</source>
@@ -12405,7 +12533,7 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Resumed from here
 %1</source>
-        <translation>从此处继续
+        <translation>已从此处继续
 %1</translation>
     </message>
 </context>
@@ -12520,7 +12648,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Zoom back</source>
-        <translation>返回缩放</translation>
+        <translation>返回上一缩放</translation>
     </message>
     <message>
         <source>Back to the view before (Backspace)</source>
@@ -12823,6 +12951,229 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>记录和表格 (*.rec *.csv *.tsv *.txt *.trace);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>启用</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>奇偶校验</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>数据位</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>停止位</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>轮询间隔</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>超时时间</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>重试的最长间隔</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>变量：设备有应答</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>客户端标识</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>密码文件</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS 加密</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>CA 证书文件</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>寄存器的位</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>字节顺序</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>JSON 消息中的路径</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>服务质量（QoS 0 到 2）</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>保留消息 (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>连接断开时</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>安全值</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>变量：通道有效</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP 设备</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU 设备（串行）</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP 服务器</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>离散输入</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>保持寄存器</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>输入寄存器</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>保持最后的值</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>使用安全值</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>停止控制器</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,7 @@
 #include "app/online/devices_view.h"
 
 #include "app/online/device_connections.h"
+#include "app/online/device_fields.h"
 #include "editor/kit/bar_menu.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
@@ -12,13 +13,11 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QSplitter>
-#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QToolBar>
 #include <QTreeWidget>
@@ -31,74 +30,7 @@ namespace {
 using devices::Protocol;
 
 enum Column { Name, Variable, Where, State, Value, Traffic, Count };
-constexpr int kDevice = Qt::UserRole, kChannel = Qt::UserRole + 1, kChoices = Qt::UserRole;
-
-/// Fields with a fixed choice of words get a list of them.
-class FieldDelegate : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
-                          const QModelIndex& index) const override {
-        const QStringList choices = index.data(kChoices).toStringList();
-        if (choices.isEmpty()) return QStyledItemDelegate::createEditor(parent, option, index);
-        auto* box = new QComboBox(parent);
-        box->addItem(QString());
-        box->addItems(choices);
-        return box;
-    }
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
-        if (auto* box = qobject_cast<QComboBox*>(editor)) return box->setCurrentText(index.data().toString());
-        QStyledItemDelegate::setEditorData(editor, index);
-    }
-    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
-        if (auto* box = qobject_cast<QComboBox*>(editor)) {
-            model->setData(index, box->currentText());
-            return;
-        }
-        QStyledItemDelegate::setModelData(editor, model, index);
-    }
-};
-
-QStringList choicesOf(const QString& field) {
-    if (field == "enabled" || field == "tls" || field == "retain") return {"true", "false"};
-    QStringList words;
-    const auto add = [&](const char* list, const char* word) {
-        if (field == list) words << word;
-    };
-#define PLC_PROTOCOL(Name, Spelling) add("protocol", Spelling);
-#define PLC_TABLE(Name, Spelling) add("table", Spelling);
-#define PLC_WIRE_TYPE(Name, Spelling, Registers) add("type", Spelling);
-#define PLC_ORDER(Name, Spelling) add("order", Spelling);
-#define PLC_ON_LOSS(Name, Spelling) add("onLoss", Spelling);
-#define PLC_PARITY(Name, Spelling) add("parity", Spelling);
-#define PLC_DIRECTION(Name, Spelling) add("direction", Spelling);
-#include "projects/devices/configuration/words.def"
-    return words;
-}
-
-QStringList fieldsOf(Protocol protocol) {
-    switch (protocol) {
-    case Protocol::ModbusTcp:
-        return {"name", "protocol", "enabled", "host", "port", "unit", "poll", "timeout", "retry", "online", "comment"};
-    case Protocol::ModbusRtu:
-        return {"name",     "protocol", "enabled", "serial",  "baud",  "parity", "dataBits",
-                "stopBits", "unit",     "poll",    "timeout", "retry", "online", "comment"};
-    case Protocol::ModbusServer:
-        return {"name", "protocol", "enabled", "host", "port", "unit", "timeout", "online", "comment"};
-    case Protocol::Mqtt:
-        return {"name", "protocol", "enabled", "host",    "port",  "clientId", "user",   "passwordFile",
-                "tls",  "caFile",   "poll",    "timeout", "retry", "online",   "comment"};
-    }
-    return {};
-}
-
-QStringList channelFieldsOf(Protocol protocol) {
-    if (protocol == Protocol::Mqtt)
-        return {"name",   "variable", "direction", "topic",  "json", "type",    "scale",
-                "offset", "qos",      "retain",    "onLoss", "safe", "quality", "comment"};
-    return {"name",  "variable", "direction", "table",  "address", "bit",     "type",   "order",
-            "scale", "offset",   "poll",      "onLoss", "safe",    "quality", "comment"};
-}
+constexpr int kDevice = Qt::UserRole, kChannel = Qt::UserRole + 1;
 
 QString placeOf(const devices::Device& device) {
     if (device.protocol == Protocol::ModbusRtu) return kit::fromView(device.serial) + QString(" · %1").arg(device.unit);
@@ -109,7 +41,8 @@ QString placeOf(const devices::Device& device, const devices::Channel& channel) 
     const QString arrow = channel.direction == devices::Direction::In ? "← " : "→ ";
     if (!device.isModbus()) return arrow + kit::fromView(channel.topic + channel.jsonPath);
     const QString bit = channel.bit >= 0 ? QString(".%1").arg(channel.bit) : QString();
-    return arrow + kit::fromView(devices::spelling(channel.table)) + QString(" %1").arg(channel.address) + bit + " " +
+    const QString table = wordTitle("table", kit::fromView(devices::spelling(channel.table)));
+    return arrow + table + QString(" %1").arg(channel.address) + bit + " " +
            kit::fromView(devices::spelling(channel.type));
 }
 
@@ -180,7 +113,7 @@ DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& work
     m_fields->setHorizontalHeaderLabels({tr("Field"), tr("Content")});
     m_fields->horizontalHeader()->setStretchLastSection(true);
     m_fields->verticalHeader()->hide();
-    m_fields->setItemDelegate(new FieldDelegate(m_fields));
+    m_fields->setItemDelegate(newFieldDelegate(m_fields));
     m_fields->setEditTriggers(QAbstractItemView::AllEditTriggers);
     auto* splitter = new QSplitter(this);
     splitter->addWidget(m_tree);
@@ -337,8 +270,11 @@ void DevicesView::proposeAddresses() {
 void DevicesView::setField(int row) {
     const auto entry = current();
     if (m_isFilling || !entry || !m_fields->item(row, 0)) return;
-    const std::string field = m_fields->item(row, 0)->text().toStdString();
-    const std::string value = m_fields->item(row, 1)->text().trimmed().toStdString();
+    const QString name = m_fields->item(row, 0)->data(kFieldRole).toString();
+    const QTableWidgetItem& cell = *m_fields->item(row, 1);
+    const bool isWord = !wordsOf(name).isEmpty();
+    const std::string field = name.toStdString();
+    const std::string value = (isWord ? cell.data(kWordRole).toString() : cell.text().trimmed()).toStdString();
     // The table is made again by the edit, after the editor of the cell has closed.
     kit::post(this, [this, entry, field, value] {
         edit([&](devices::DeviceFile& file) { file.setField(entry->device, entry->channel, field, value); });
@@ -390,11 +326,13 @@ void DevicesView::showFields() {
                                                : fieldsOf(m_file.devices()[entry->device].protocol);
     m_fields->setRowCount(static_cast<int>(names.size()));
     for (int row = 0; row < names.size(); ++row) {
-        auto* name = new QTableWidgetItem(names[row]);
+        auto* name = new QTableWidgetItem(fieldTitle(names[row]));
+        name->setData(kFieldRole, names[row]);
+        name->setToolTip(tr("“%1” in devices.json").arg(names[row]));
         name->setFlags(Qt::ItemIsEnabled);
-        auto* value =
-            new QTableWidgetItem(kit::fromView(m_file.field(entry->device, entry->channel, names[row].toStdString())));
-        value->setData(kChoices, choicesOf(names[row]));
+        const QString word = kit::fromView(m_file.field(entry->device, entry->channel, names[row].toStdString()));
+        auto* value = new QTableWidgetItem(wordsOf(names[row]).isEmpty() ? word : wordTitle(names[row], word));
+        value->setData(kWordRole, word);
         m_fields->setItem(row, 0, name);
         m_fields->setItem(row, 1, value);
     }

@@ -65,13 +65,15 @@ SlowScanView::SlowScanView(InsideDesk& desk, RunControl& control, QWidget* paren
     m_values = makeTree({tr("Name"), tr("Value")}, "slowValues", this);
     m_values->setAccessibleName(tr("Values at this moment"));
     connect(m_frames, &QTreeWidget::currentItemChanged, this, &SlowScanView::showValues);
-    connect(m_frames, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
+    const auto goTo = [this](QTreeWidgetItem* item) {
         const auto frames = m_scan ? m_scan->stackTrace() : std::vector<inside::SlowScan::Frame>();
         const auto index = static_cast<size_t>(m_frames->indexOfTopLevelItem(item));
         if (index >= frames.size()) return;
         if (const auto place = m_control.placeInText(frames[index].range, m_look->program()))
             emit placeRequested(place->file, place->offset, 0);
-    });
+    };
+    connect(m_frames, &QTreeWidget::itemClicked, this, goTo);
+    connect(m_frames, &QTreeWidget::itemActivated, this, goTo);
     auto* parts = new QSplitter(Qt::Horizontal, this);
     parts->addWidget(m_frames);
     parts->addWidget(m_values);

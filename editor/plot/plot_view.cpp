@@ -481,6 +481,12 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Backspace:
         zoomBack();
         return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: {
+        const auto& cursor = m_activeCursor == 0 ? m_model.cursorA : m_model.cursorB;
+        emit timeActivated(cursor.value_or(snappedTime(m_model, middle)));
+        return;
+    }
     case Qt::Key_M:
         setTool(m_tool == PlotTool::Ruler ? PlotTool::ZoomBox : PlotTool::Ruler);
         return;

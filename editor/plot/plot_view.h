@@ -58,7 +58,7 @@ signals:
     void curveToggled(const QString& id, bool visible);
     void variablesDropped(const QStringList& paths, int chart);
     void menuRequested(const QPoint& global, int chart, const QString& curve);
-    void timeActivated(qint64 time); // double click: the other windows may go there
+    void timeActivated(qint64 time); // double click, or Enter at the active cursor, else in the middle
 
 protected:
     void paintEvent(QPaintEvent* event) override;

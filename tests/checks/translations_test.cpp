@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <regex>
 #include <set>
@@ -127,6 +129,36 @@ TEST_P(Translations, AreFinishedAndKeepThePlaceholders) {
             EXPECT_EQ(placeholders(translation), placeholders(message.source)) << GetParam() << ": " << translation;
         }
     }
+}
+
+bool hasAny(const std::string& text, const std::vector<std::string>& parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const std::string& part) { return text.find(part) != std::string::npos; });
+}
+
+/// What README.md says of blanks and quotation marks; "" where `text` has them right.
+std::string wrongMark(const std::string& language, const std::string& source, const std::string& text) {
+    const std::regex unit(R"re((\{\d\}|%L?\d|%n|\d) (px|mm|ms|s|µs|MB|Mo|mA|rad/s|%)($|[ ,.;:)]))re");
+    const std::map<std::string, std::vector<std::string>> quotes{{"de", {"”", "«", "»"}},
+                                                                 {"da", {"„", "“", "«", "»"}},
+                                                                 {"fr", {"„", "“", "”"}},
+                                                                 {"es", {"„", "“", "”"}},
+                                                                 {"zh_CN", {"„", "«", "»"}}};
+    if (hasAny(text, quotes.at(language))) return "another language's quotation marks";
+    if (language != "zh_CN" && std::regex_search(text, unit)) return "a blank that breaks before a unit";
+    const bool isCode = hasAny(source, {" : ", ":="});
+    if (language == "fr" && !isCode && hasAny(text, {" :", " ;", " !", " ?", "« ", " »"})) return "a blank that breaks";
+    if (language == "es" && hasAny(text, {"?"}) != hasAny(text, {"¿"})) return "one of ¿ and ? without the other";
+    return "";
+}
+
+TEST_P(Translations, HaveTheBlanksAndQuotationMarksOfTheirLanguage) {
+    EXPECT_NE(wrongMark("fr", "Name:", "Nom :"), "");
+    EXPECT_NE(wrongMark("de", "{0} ms late", "{0} ms zu spät"), "");
+    EXPECT_EQ(wrongMark("de", "{0} seconds", "{0} Sekunden"), "");
+    for (const Message& message : messagesOf(GetParam()))
+        for (const std::string& translation : message.translations)
+            EXPECT_EQ(wrongMark(GetParam(), message.source, translation), "") << GetParam() << ": " << translation;
 }
 
 /// Calls whose first literal a user reads. A text in them must come from tr() or translate().

@@ -22,7 +22,7 @@ std::string findings(const std::string& element) {
 TEST(RangeCheck, AValueThatLeavesItsBarOrChartIsReported) {
     EXPECT_EQ(findings(R"("kind":"bar","value":"Main.count","min":0,"max":100)"),
               "hmi/main.panel.json: a.value: warning H1040: Main.count is between 1 and 200 in the recording, so the "
-              "range from 0 to 100 cuts it off");
+              "range from 0 to 100 cuts it off; widen the range");
     EXPECT_NE(findings(R"("kind":"trend","series":[{"value":"Main.count"}],"min":50,"max":300)"), "");
     EXPECT_NE(findings(R"("kind":"xyChart","pointX":"Main.count","maxX":20)"), "");
 }

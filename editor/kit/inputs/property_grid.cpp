@@ -253,7 +253,9 @@ void PropertyGrid::keyPressEvent(QKeyEvent* event) {
 }
 
 void PropertyGrid::contextMenuEvent(QContextMenuEvent* event) {
-    Entry* e = entryOf(itemAt(event->pos()));
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    QTreeWidgetItem* item = byKey ? currentItem() : itemAt(event->pos());
+    Entry* e = entryOf(item);
     if (!e) return;
     const QString id = e->descriptor.id;
     QMenu menu(this);
@@ -264,7 +266,7 @@ void PropertyGrid::contextMenuEvent(QContextMenuEvent* event) {
         emit resetRequested(id);
         if (Entry* now = entry(id)) commit(id, now->descriptor.defaultValue);
     });
-    menu.exec(event->globalPos());
+    menu.exec(byKey ? viewport()->mapToGlobal(visualItemRect(item).bottomLeft()) : event->globalPos());
 }
 
 const PropertyGrid::Entry* PropertyGrid::entryUnder(const QDropEvent& event) {

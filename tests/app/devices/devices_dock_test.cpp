@@ -1,5 +1,6 @@
 // The devices dock as one works with it: describe a device, correct what the problem list says, connect it to the
 // running program, see its values, disconnect. The other side is a second engine that is the server.
+#include "app/online/device_fields.h"
 #include "app/online/devices_view.h"
 #include "app/project/problems_view.h"
 #include "app/project/project_tree.h"
@@ -7,12 +8,15 @@
 #include "tests/app/studio_fixture.h"
 #include "tests/support/settle.h"
 
+#include <QAbstractItemDelegate>
 #include <QAction>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
 #include <QTreeWidget>
 
+#include <memory>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -55,15 +59,22 @@ protected:
         QFile file(folder.filePath("devices.json"));
         return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
     }
-    void set(const QString& field, const QString& value) {
+    /// Through the cell's editor, by the words that a user sees.
+    void set(const QString& title, const QString& value) {
         QTableWidget& fields = view().fields();
         for (int row = 0; row < fields.rowCount(); ++row) {
-            if (fields.item(row, 0)->text() != field) continue;
-            fields.item(row, 1)->setText(value);
+            if (fields.item(row, 0)->text() != title) continue;
+            const QModelIndex cell = fields.model()->index(row, 1);
+            const std::unique_ptr<QWidget> editor(fields.itemDelegate()->createEditor(fields.viewport(), {}, cell));
+            if (auto* box = qobject_cast<QComboBox*>(editor.get()))
+                box->setCurrentText(value);
+            else
+                editor->setProperty("text", value);
+            fields.itemDelegate()->setModelData(editor.get(), fields.model(), cell);
             QCoreApplication::processEvents(); // the edit is queued behind the editor
             return;
         }
-        ADD_FAILURE() << "no field " << field.toStdString();
+        ADD_FAILURE() << "no field " << title.toStdString();
     }
     QStringList problems() {
         QStringList all;
@@ -90,18 +101,18 @@ TEST_F(DevicesDock, ADeviceIsDescribedCheckedAndUndone) {
     EXPECT_NE(onDisk().find("\"Device\""), std::string::npos);
     view().addChannel();
     EXPECT_FALSE(problems().filter("has no variable yet").isEmpty()) << problems().join('\n').toStdString();
-    set("variable", "%QW0");
-    set("direction", "in");
+    set("Variable", "%QW0");
+    set("Direction", "Input");
     EXPECT_FALSE(problems().filter("is an output of the program").isEmpty()) << problems().join('\n').toStdString();
-    set("variable", "%IW0");
+    set("Variable", "%IW0");
     EXPECT_TRUE(problems().isEmpty()) << problems().join('\n').toStdString();
     const std::string good = onDisk();
-    set("address", "many");
+    set("Address", "many");
     EXPECT_FALSE(problems().isEmpty());
     view().undo();
     EXPECT_EQ(onDisk(), good);
     // A click on a problem selects its channel.
-    set("variable", "Main.nothing");
+    set("Variable", "Main.nothing");
     view().select("Device");
     QTreeWidget& list = window->problems().list();
     for (int i = 0; i < list.topLevelItemCount(); ++i)
@@ -111,6 +122,25 @@ TEST_F(DevicesDock, ADeviceIsDescribedCheckedAndUndone) {
     view().remove();
     view().remove();
     EXPECT_TRUE(view().file().devices().empty());
+}
+
+TEST_F(DevicesDock, NoFieldOrWordIsShownAsTheFileSpellsIt) {
+    using devices::Protocol;
+    QStringList fields;
+    for (const Protocol each : {Protocol::ModbusTcp, Protocol::ModbusRtu, Protocol::ModbusServer, Protocol::Mqtt})
+        fields += fieldsOf(each) + channelFieldsOf(each);
+    const QStringList wordsOfTheField{"type", "order"}; // REAL and ABCD are called so by everybody
+    for (const QString& field : fields) {
+        EXPECT_NE(fieldTitle(field), field) << field.toStdString();
+        if (wordsOfTheField.contains(field)) continue;
+        for (const QString& word : wordsOf(field)) EXPECT_NE(wordTitle(field, word), word) << word.toStdString();
+    }
+    view().addDevice(Protocol::ModbusRtu);
+    set("Parity", "Odd");
+    EXPECT_NE(onDisk().find("\"parity\": \"odd\""), std::string::npos) << onDisk();
+    set("Parity", "");
+    EXPECT_EQ(onDisk().find("parity"), std::string::npos) << onDisk();
+    EXPECT_EQ(wordTitle("parity", "prime"), "prime") << "a word that the file has by mistake is seen";
 }
 
 TEST_F(DevicesDock, AddressesAreProposed) {
@@ -135,12 +165,12 @@ TEST_F(DevicesDock, TheRunningProgramExchangesValuesOnlyWhenConnected) {
     server.connect();
     ASSERT_TRUE(waitFor([&] { return server.status()[0].state == devices::LinkState::Online; }));
     view().addDevice(devices::Protocol::ModbusTcp);
-    set("port", QString::number(far.port));
-    set("poll", "10ms");
+    set("Port", QString::number(far.port));
+    set("Poll interval", "10ms");
     view().addChannel();
-    set("address", "7");
-    set("direction", "out");
-    set("variable", "%QW0");
+    set("Address", "7");
+    set("Direction", "Output");
+    set("Variable", "%QW0");
     ASSERT_TRUE(problems().isEmpty()) << problems().join('\n').toStdString();
     window->action("run.devices")->trigger();
     EXPECT_FALSE(view().tree().topLevelItem(0)->text(3) == "online") << "there is no controller";

@@ -216,3 +216,15 @@ TEST_F(PlotViewTest, DoubleClickAsksForThatScan) {
     ASSERT_EQ(activated.count(), 1);
     EXPECT_NEAR(activated[0][0].toDouble(), 2e9, 2e7);
 }
+
+TEST_F(PlotViewTest, EnterAsksForTheScanOfTheActiveCursorOrOfTheMiddle) {
+    QSignalSpy activated(&view, &PlotView::timeActivated);
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(activated.count(), 1);
+    EXPECT_EQ(activated[0][0].toLongLong(), 5 * S);
+    view.setCursorsShown(true);
+    view.setCursor(1, 7 * S);
+    QTest::keyClick(&view, Qt::Key_Enter);
+    ASSERT_EQ(activated.count(), 2);
+    EXPECT_EQ(activated[1][0].toLongLong(), 7 * S);
+}

@@ -165,7 +165,7 @@ TEST(HarmfulPicture, ThePixelsOfAPictureAreCountedBeforeItIsRead) {
     large.fill(0);
     ASSERT_TRUE(large.save(project.folder + "/large.png"));
     EXPECT_EQ(project.complaint("large.png"),
-              "The picture large.png is 9000 x 9000 pixels; more than 32 million are not drawn");
+              "The picture large.png is 9000 x 9000 pixels; more than 32 million are not drawn; use a smaller one");
     ASSERT_EQ(::mkfifo((project.folder + "/pipe.png").toLocal8Bit().constData(), 0600), 0);
     EXPECT_NE(project.complaint("pipe.png"), "") << "opening a pipe would wait for ever";
     EXPECT_EQ(project.complaint(project.write("words.png", "no picture")),
