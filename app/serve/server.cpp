@@ -114,8 +114,8 @@ HttpAnswer Server::answer(const HttpRequest& request) {
     if (request.path == "/status") return {200, "application/json", statusJson(m_session, figures()), {}};
     if (request.path == "/metrics") return {200, "text/plain; version=0.0.4", prometheusText(m_session, figures()), {}};
     if (request.path == "/client/panel.css") return resource("panel.css", "text/css");
-    for (const char* script : {"reader.js", "ink.js", "words.js", "commands.js", "paint.js", "easel.js", "display.js",
-                               "worker.js", "panel.js"})
+    for (const char* script : {"reader.js", "ink.js", "words.js", "commands.js", "elements.js", "paint.js", "easel.js",
+                               "display.js", "worker.js", "panel.js"})
         if (request.path == QByteArray("/client/") + script) return resource(script, "text/javascript");
     if (request.path == "/panel" || request.path == "/panel/") {
         const QString start = m_project.find(m_project.startPanel) || m_project.panels.empty()
