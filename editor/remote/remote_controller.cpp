@@ -77,6 +77,8 @@ void RemoteController::open() {
         if (!problems.isEmpty())
             m_problem = errors::CertificateUnknown(text(host()), text(problems.front().errorString()));
     });
+    m_isReached = false;
+    connect(socket, &QWebSocket::bytesWritten, this, [this] { m_isReached = true; });
     connect(socket, &QWebSocket::connected, this, &RemoteController::greet);
     connect(socket, &QWebSocket::textMessageReceived, this, &RemoteController::take);
     connect(socket, &QWebSocket::binaryMessageReceived, this, &RemoteController::takeBytes);
@@ -87,17 +89,18 @@ void RemoteController::open() {
                 if (error == QAbstractSocket::SslHandshakeFailedError && !m_problem.isEmpty()) return lose(m_problem);
                 if (error == QAbstractSocket::SslHandshakeFailedError)
                     return lose(errors::NoTlsThere(text(host()), text(socket->errorString())));
-                loseUnlessTls(errors::NotReached(text(host()), text(socket->errorString())));
+                loseUnlessTls(whyNot(error, socket->errorString()));
             });
     connect(socket, &QWebSocket::disconnected, this, [this, socket] {
         const QString why = socket->closeReason().isEmpty() ? socket->errorString() : socket->closeReason();
         if (m_state == State::Attached) return lose(errors::ConnectionLost(text(host())));
         const bool isRefused = socket->closeCode() == QWebSocketProtocol::CloseCodePolicyViolated;
         if (isRefused) return lose(errors::NoAttaching(text(host()), text(why)));
+        if (!m_open.empty()) return lose(errors::ConnectionLost(text(host()))); // while it was greeted
         const bool isSecure = m_address.url.scheme() == QLatin1String("https");
-        if (isSecure && m_open.empty()) // it was never greeted: a server without TLS waits for words it knows
+        if (isSecure && !m_isReached) // a server without TLS waits for words it knows
             return lose(errors::NoTlsThere(text(host()), text(why)));
-        loseUnlessTls(errors::NotReached(text(host()), text(why)));
+        loseUnlessTls(whyNot(QAbstractSocket::RemoteHostClosedError, why));
     });
     QUrl url = m_address.url;
     url.setScheme(url.scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
@@ -190,10 +193,25 @@ void RemoteController::lose(Message why) {
     m_again.start(m_wait);
 }
 
+/// Why there was no WebSocket, with what to check: the words of the socket are about its own steps.
+Message RemoteController::whyNot(QAbstractSocket::SocketError error, const QString& words) const {
+    const std::string place = text(host()) + ":" + std::to_string(port());
+    if (m_isReached) return errors::NotAController(place);
+    if (error == QAbstractSocket::ConnectionRefusedError) return errors::NobodyThere(place);
+    if (error == QAbstractSocket::HostNotFoundError) return errors::NoSuchHost(text(host()));
+    if (error == QAbstractSocket::SocketTimeoutError) return errors::NoAnswer(text(host()));
+    return errors::NotReached(text(host()), text(words));
+}
+
+int RemoteController::port() const {
+    return m_address.url.port(m_address.url.scheme() == QLatin1String("https") ? 443 : 80);
+}
+
 /// A server that speaks TLS hangs up on plain words without saying why; a handshake tells.
 void RemoteController::loseUnlessTls(Message why) {
     if (m_state != State::Connecting || m_address.url.scheme() != QLatin1String("http")) return lose(std::move(why));
     m_socket->disconnect(this);
+    m_socket->abort(); // some servers talk to one client at a time
     m_probe = std::make_unique<QSslSocket>();
     QSslSocket* probe = m_probe.get();
     probe->setPeerVerifyMode(QSslSocket::VerifyNone);
@@ -203,7 +221,7 @@ void RemoteController::loseUnlessTls(Message why) {
         lose(errors::SpeaksTls(text(host()), text(url.toString())));
     });
     connect(probe, &QSslSocket::errorOccurred, this, [this, why] { lose(why); });
-    probe->connectToHostEncrypted(host(), static_cast<quint16>(m_address.url.port(80)));
+    probe->connectToHostEncrypted(host(), static_cast<quint16>(port()));
 }
 
 void RemoteController::forgetSockets() {
