@@ -55,7 +55,9 @@ private:
     void lose(Message why);
     void loseUnlessTls(Message why);
     Message whyNot(QAbstractSocket::SocketError error, const QString& words) const;
+    void loseUnreached(const QWebSocket& socket);
     int port() const;
+    std::string place() const;
     void forgetSockets();
     void setState(State state);
     void refuseAll(const Message& why);

@@ -268,8 +268,15 @@ void PanelPlayer::editValue(const RecipeRequest& request) {
     });
 }
 
+/// A set that is gone does not come back: who touched the wrong key is asked.
 void PanelPlayer::changeSets(const RecipeRequest& request, PanelScene& shownIn) {
-    if (const QString set = m_station.changeSets(request); !set.isEmpty()) showSet(shownIn, request.element, set);
+    const auto change = [this, request, &shownIn] {
+        if (const QString set = m_station.changeSets(request); !set.isEmpty()) showSet(shownIn, request.element, set);
+    };
+    const Recipe* recipe = recipes().find(request.recipe);
+    if (request.kind != RecipeRequestKind::Remove || !recipe || recipe->sets.size() < 2) return change();
+    auto* question = new Question({m_station.say(SystemText::ConfirmRemove).arg(request.set), {}, false}, look(), this);
+    connect(question, &Question::confirmed, &shownIn, change);
 }
 
 } // namespace plc::hmi

@@ -376,7 +376,19 @@ TEST(Recipe, IsEditedReadAndKeptInTheFile) {
     const auto kept = RecipeFile::parse(file.readAll().toStdString(), {});
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->recipes(), player.recipes().recipes());
-    plant.clickKey(3); // removed
+    plant.clickKey(3); // asks first
+    const auto answer = [&](const QString& word) {
+        Question* question = plant.box<Question>();
+        ASSERT_TRUE(question);
+        for (QPushButton* button : question->findChildren<QPushButton*>())
+            if (button->text() == word) return button->click();
+        FAIL() << word.toStdString();
+    };
+    answer(QStringLiteral("No"));
+    settle();
+    EXPECT_TRUE(player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2")));
+    plant.clickKey(3);
+    answer(QStringLiteral("Yes"));
     EXPECT_FALSE(player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2")));
 }
 

@@ -317,7 +317,7 @@ TEST(FaceplateDesigner, TwoHundredGatesAreArrangedOverAnArrayInOneGestureAndEdit
         EXPECT_EQ(dialog.columns().value(), 21);                             // as many as fit
         EXPECT_EQ(dialog.complaint().text(), "");
         dialog.columns().setValue(5);
-        EXPECT_TRUE(dialog.complaint().text().contains(QStringLiteral("240 × 2728")))
+        EXPECT_TRUE(dialog.complaint().text().contains(QStringLiteral("240 × 2720")))
             << dialog.complaint().text().toStdString();
         dialog.columns().setValue(20);
         EXPECT_EQ(dialog.complaint().text(), "");

@@ -322,13 +322,20 @@ TEST(Attach, WhereNobodySpeaksTlsIsSaidToo) {
     address.url.setScheme("https");
     EXPECT_FALSE(isAttached(secure, address));
     const std::string why = secure.problem().english();
-    EXPECT_TRUE(why.starts_with("127.0.0.1 cannot be reached by TLS: ")) << why;
+    EXPECT_TRUE(
+        why.starts_with("The server at 127.0.0.1:" + std::to_string(address.url.port()) + " does not speak TLS; "))
+        << why;
     EXPECT_NE(why.find("--certificate"), std::string::npos) << why;
     RemoteController nobody; // nor anybody at all: the probe changes nothing about that
     QTcpServer free;
     ASSERT_TRUE(free.listen(QHostAddress::LocalHost));
     address.url = QUrl(QStringLiteral("http://127.0.0.1:%1/").arg(free.serverPort()));
     free.close();
+    address.url.setScheme("https");
+    EXPECT_FALSE(isAttached(nobody, address));
+    EXPECT_EQ(nobody.problem().english(), "Nothing answers at 127.0.0.1:" + std::to_string(address.url.port()) +
+                                              "; check the port, and whether `stepwise serve` runs there");
+    address.url.setScheme("http");
     EXPECT_FALSE(isAttached(nobody, address));
     EXPECT_EQ(nobody.problem().english(), "Nothing answers at 127.0.0.1:" + std::to_string(address.url.port()) +
                                               "; check the port, and whether `stepwise serve` runs there");

@@ -113,7 +113,7 @@ TEST(PropertyCheck, WhatCanOnlyMeanOneThingIsFixedAndUndoneByteForByte) {
         std::string before, after;
     } rows[] = {
         {R"("kind":"lamp","vlaue":"b")", R"("value":"b")"},
-        {R"("kind":"lamp","onColor":"gren","offColor":"of")", R"("offColor":"off")"},
+        {R"("kind":"lamp","onColor":"yelow")", R"("onColor":"yellow")"},
         {R"("kind":"lamp","blink":"True")", R"("blink":true)"},
         {R"("kind":"gauge","min":"2.5")", R"("min":2.5)"},
         {R"("kind":"gauge","ticks":"7")", R"("ticks":7)"},

@@ -344,9 +344,9 @@ TEST(StandardCheck, FixesCorrectWhatTheyAreGivenWith) {
 }
 
 TEST(StandardCheck, ColoursThatOnlyDifferInHueBecomeThoseOfTheKind) {
-    CheckInput input =
-        project({panelOf(QStringLiteral("main"),
-                         R"({"id":"a","kind":"lamp","label":"Pump","onColor":"#208020","offColor":"#A04040"})")});
+    CheckInput input = project(
+        {panelOf(QStringLiteral("main"),
+                 R"({"id":"a","kind":"lamp","label":"Pump","value":"M.x","onColor":"#00A000","offColor":"#FF0000"})")});
     const std::vector<Finding> found = checkStandard(input, input.panels[0]);
     ASSERT_NE(codes(found).find("H1103 a.onColor"), std::string::npos) << codes(found);
     applyTo(input.panels[0].panel, fixesOf(found, QStringLiteral("hmi/main.panel.json"), input.panels[0].panel));
