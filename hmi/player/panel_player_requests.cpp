@@ -220,7 +220,11 @@ void PanelPlayer::askForSignature(const WriteRequest& write) {
 
 void PanelPlayer::answerAlarm(const AlarmDetailRequest& request) {
     if (!m_station.mayAnswer(request)) return;
-    auto* sheet = new AlarmSheet(liveAlarms(), request.alarm, look(), this);
+    const bool isOnScreen = m_timer.isActive(); // a browser's panel has no place for the answer
+    auto* sheet = new AlarmSheet(liveAlarms(), request.alarm, look(), isOnScreen, this);
+    connect(sheet, &AlarmSheet::whyAsked, this, [this](const QString& condition) {
+        kit::post(this, [this, condition] { askWhy(kit::AskWhy::Why, condition); });
+    });
     connect(sheet, &AlarmSheet::chosen, this, [this](AlarmAction action, const QString& alarm) {
         kit::post(this, [this, action, alarm] { m_station.act(action, alarm); });
     });

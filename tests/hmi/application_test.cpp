@@ -469,6 +469,13 @@ TEST(Alarms, OneIsShelvedFromItsSheetAndComesBack) {
     EXPECT_TRUE(waitFor(player, [&] { return present().size() == 2; }));
     const AlarmStatistics found = player.alarms().statistics(std::chrono::hours(1));
     EXPECT_EQ(found.raised, 2);
+    player.showPanel(QStringLiteral("main"));
+    plant.clickAt(200, 50 + 20);
+    sheet = plant.box<AlarmSheet>();
+    ASSERT_TRUE(sheet);
+    ASSERT_TRUE(sheet->whyKey());
+    QTest::mouseClick(sheet->whyKey(), Qt::LeftButton);
+    EXPECT_TRUE(waitFor(player, [&] { return player.answer() != nullptr; })) << "why the alarm is active";
 }
 
 } // namespace
