@@ -60,7 +60,7 @@ AlarmSheet::AlarmSheet(const AlarmBook& book, size_t alarm, const OverlayLook& l
 
 /// Behind the others, asked of the condition.
 void AlarmSheet::addWhy(const QString& condition, const QString& language, QGridLayout* grid) {
-    m_why = key(kit::messageText(kit::errors::AskWhy(), language));
+    m_why = key(kit::messageText(errors::AskWhy(), language));
     const int at = static_cast<int>(m_keys.size());
     grid->addWidget(m_why, at / 2, at % 2);
     connect(m_why, &QPushButton::clicked, this, [this, condition] {
