@@ -362,6 +362,7 @@ Result<void> LiveViews::addPanel(const QString& name) {
     const auto at = std::find_if(m_panels->panels.begin(), m_panels->panels.end(),
                                  [&](const hmi::NamedPanel& each) { return each.name > name; });
     m_panels->panels.insert(at, hmi::NamedPanel{name, {}});
+    m_panels->startPanel = m_panels->startOrFirst();
     listPanels();
     if (m_player) m_player->projectChanged();
     emit panelsChanged();

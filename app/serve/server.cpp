@@ -2,6 +2,7 @@
 
 #include "app/serve/errors.h"
 #include "editor/kit/occurrence_text.h"
+#include "hmi/web/web_panel.h"
 
 #include <QFile>
 #include <QSslCertificate>
@@ -114,8 +115,8 @@ HttpAnswer Server::answer(const HttpRequest& request) {
     if (request.path == "/status") return {200, "application/json", statusJson(m_session, figures()), {}};
     if (request.path == "/metrics") return {200, "text/plain; version=0.0.4", prometheusText(m_session, figures()), {}};
     if (request.path == "/client/panel.css") return resource("panel.css", "text/css");
-    for (const char* script : {"reader.js", "ink.js", "words.js", "commands.js", "paint.js", "easel.js", "display.js",
-                               "worker.js", "panel.js"})
+    for (const char* script : {"reader.js", "ink.js", "words.js", "commands.js", "elements.js", "paint.js", "easel.js",
+                               "display.js", "worker.js", "panel.js"})
         if (request.path == QByteArray("/client/") + script) return resource(script, "text/javascript");
     if (request.path == "/panel" || request.path == "/panel/") {
         const QString start = m_project.find(m_project.startPanel) || m_project.panels.empty()
@@ -135,15 +136,16 @@ QByteArray Server::overview() const {
     const QString name = QString::fromStdString(m_settings.name);
     QByteArray out =
         "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\"><title>" +
+        "content=\"width=device-width, initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\"><title>" +
         escaped(name) +
         "</title><link rel=\"icon\" href=\"data:,\"><style>body{font:16px system-ui,sans-serif;max-width:"
         "42em;margin:2em auto;padding:0 1em}a{display:inline-block;padding:10px 0}</style></head><body><h1>" +
         escaped(name) + "</h1><h2>Panels</h2><ul>";
-    if (m_project.panels.empty()) out += "<li>The project has no panel.</li>";
-    for (const hmi::NamedPanel& panel : m_project.panels) {
-        const QByteArray place = "/panel/" + QUrl::toPercentEncoding(panel.name);
-        out += "<li><a href=\"" + place + "\">" + escaped(panel.name) + "</a>";
+    const QStringList pages = hmi::web::pagesOf(m_project);
+    if (pages.isEmpty()) out += "<li>The project has no panel.</li>";
+    for (const QString& page : pages) {
+        const QByteArray place = "/panel/" + QUrl::toPercentEncoding(page);
+        out += "<li><a href=\"" + place + "\">" + escaped(page) + "</a>";
         if (m_project.texts.settings().languages.size() > 1)
             for (const QString& tag : m_project.texts.settings().languages)
                 out +=

@@ -77,6 +77,10 @@ void RemoteController::open() {
         if (!problems.isEmpty())
             m_problem = errors::CertificateUnknown(text(host()), text(problems.front().errorString()));
     });
+    m_isReached = false;
+    connect(socket, &QWebSocket::bytesWritten, this, [this] {
+        if (m_address.url.scheme() == QLatin1String("http")) m_isReached = true; // else it may be for nobody's TLS
+    });
     connect(socket, &QWebSocket::connected, this, &RemoteController::greet);
     connect(socket, &QWebSocket::textMessageReceived, this, &RemoteController::take);
     connect(socket, &QWebSocket::binaryMessageReceived, this, &RemoteController::takeBytes);
@@ -85,19 +89,19 @@ void RemoteController::open() {
             [this, socket](QAbstractSocket::SocketError error) {
                 if (error == QAbstractSocket::RemoteHostClosedError) return; // its reason is still to come
                 if (error == QAbstractSocket::SslHandshakeFailedError && !m_problem.isEmpty()) return lose(m_problem);
-                if (error == QAbstractSocket::SslHandshakeFailedError)
-                    return lose(errors::NoTlsThere(text(host()), text(socket->errorString())));
-                loseUnlessTls(errors::NotReached(text(host()), text(socket->errorString())));
+                if (error == QAbstractSocket::SslHandshakeFailedError) return lose(errors::NoTlsThere(place()));
+                if (error == QAbstractSocket::ConnectionRefusedError && !socket->peerAddress().isNull())
+                    m_isReached = true; // it is the answer that was no WebSocket's
+                loseUnlessTls(whyNot(error, socket->errorString()));
             });
     connect(socket, &QWebSocket::disconnected, this, [this, socket] {
         const QString why = socket->closeReason().isEmpty() ? socket->errorString() : socket->closeReason();
         if (m_state == State::Attached) return lose(errors::ConnectionLost(text(host())));
         const bool isRefused = socket->closeCode() == QWebSocketProtocol::CloseCodePolicyViolated;
         if (isRefused) return lose(errors::NoAttaching(text(host()), text(why)));
-        const bool isSecure = m_address.url.scheme() == QLatin1String("https");
-        if (isSecure && m_open.empty()) // it was never greeted: a server without TLS waits for words it knows
-            return lose(errors::NoTlsThere(text(host()), text(why)));
-        loseUnlessTls(errors::NotReached(text(host()), text(why)));
+        if (!m_open.empty()) return lose(errors::ConnectionLost(text(host()))); // while it was greeted
+        // What was wrong with the socket is said only after this.
+        QTimer::singleShot(0, socket, [this, socket] { loseUnreached(*socket); });
     });
     QUrl url = m_address.url;
     url.setScheme(url.scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
@@ -190,10 +194,37 @@ void RemoteController::lose(Message why) {
     m_again.start(m_wait);
 }
 
+/// The line ended before there was a WebSocket.
+void RemoteController::loseUnreached(const QWebSocket& socket) {
+    if (m_socket.get() != &socket || m_probe) return; // known by now
+    const QAbstractSocket::SocketError error = socket.error();
+    const bool isNobody =
+        error == QAbstractSocket::HostNotFoundError || error == QAbstractSocket::ConnectionRefusedError;
+    if (m_address.url.scheme() == QLatin1String("https") && !isNobody)
+        return lose(errors::NoTlsThere(place())); // a server without TLS waits for words it knows
+    loseUnlessTls(whyNot(error, socket.errorString()));
+}
+
+/// Why there was no WebSocket, with what to check: the words of the socket are about its own steps.
+Message RemoteController::whyNot(QAbstractSocket::SocketError error, const QString& words) const {
+    if (m_isReached) return errors::NotAController(place());
+    if (error == QAbstractSocket::ConnectionRefusedError) return errors::NobodyThere(place());
+    if (error == QAbstractSocket::HostNotFoundError) return errors::NoSuchHost(text(host()));
+    if (error == QAbstractSocket::SocketTimeoutError) return errors::NoAnswer(text(host()));
+    return errors::NotReached(text(host()), text(words));
+}
+
+int RemoteController::port() const {
+    return m_address.url.port(m_address.url.scheme() == QLatin1String("https") ? 443 : 80);
+}
+
+std::string RemoteController::place() const { return text(host()) + ":" + std::to_string(port()); }
+
 /// A server that speaks TLS hangs up on plain words without saying why; a handshake tells.
 void RemoteController::loseUnlessTls(Message why) {
     if (m_state != State::Connecting || m_address.url.scheme() != QLatin1String("http")) return lose(std::move(why));
     m_socket->disconnect(this);
+    m_socket->abort(); // some servers talk to one client at a time
     m_probe = std::make_unique<QSslSocket>();
     QSslSocket* probe = m_probe.get();
     probe->setPeerVerifyMode(QSslSocket::VerifyNone);
@@ -203,7 +234,7 @@ void RemoteController::loseUnlessTls(Message why) {
         lose(errors::SpeaksTls(text(host()), text(url.toString())));
     });
     connect(probe, &QSslSocket::errorOccurred, this, [this, why] { lose(why); });
-    probe->connectToHostEncrypted(host(), static_cast<quint16>(m_address.url.port(80)));
+    probe->connectToHostEncrypted(host(), static_cast<quint16>(port()));
 }
 
 void RemoteController::forgetSockets() {

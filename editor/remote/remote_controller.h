@@ -54,6 +54,10 @@ private:
     void greet();
     void lose(Message why);
     void loseUnlessTls(Message why);
+    Message whyNot(QAbstractSocket::SocketError error, const QString& words) const;
+    void loseUnreached(const QWebSocket& socket);
+    int port() const;
+    std::string place() const;
     void forgetSockets();
     void setState(State state);
     void refuseAll(const Message& why);
@@ -63,6 +67,7 @@ private:
     Message m_problem;
     QString m_project;
     bool m_mayHalt = false, m_comesBack = false;
+    bool m_isReached = false; // something took what we sent
     std::unique_ptr<QWebSocket> m_socket;
     std::unique_ptr<QSslSocket> m_probe; // asks whether it speaks TLS there
     QTimer m_again, m_silence;

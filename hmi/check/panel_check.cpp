@@ -150,8 +150,10 @@ struct Checker {
         const QString file = panelFile(named.name);
         forEachText(named.panel, [&](const Found& text) { checkText(file, {}, text, {}, false); });
         for (const Element& element : named.panel.elements()) checkElement(file, named.panel, element);
-        for (PropertyFinding& one : checkProperties(input, named.panel))
+        for (PropertyFinding& one : checkProperties(input, named.panel)) {
             add(one.kind, one.isError, file, one.element, one.property, std::move(one.message));
+            found.back().fix = std::move(one.fix);
+        }
         append(checkPlacements(input, named));
         append(checkAccess(input, named));
         append(checkStandard(input, named));

@@ -1,5 +1,6 @@
 #include "hmi/check/property_check.h"
 
+#include "hmi/check/property_fix.h"
 #include "hmi/model/array_index.h"
 #include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
@@ -137,8 +138,16 @@ public:
     }
 
 private:
-    void add(FindingKind kind, bool isError, const ElementId& id, const QString& property, Message message) {
-        m_found.push_back({kind, isError, id, property, std::move(message)});
+    void add(FindingKind kind, bool isError, const ElementId& id, const QString& property, Message message,
+             Edit fix = {}) {
+        m_found.push_back({kind, isError, id, property, std::move(message), std::move(fix)});
+    }
+
+    /// What it most probably was meant to be.
+    Edit nearest(const ElementId& id, const QString& place, const std::string& text,
+                 const std::vector<std::string>& choices) const {
+        const std::optional<std::string> near = nearestName(text, choices);
+        return near ? valueAt(m_panel, id, place, *near) : Edit();
     }
 
     void checkFields(const ElementId& id, const Json& fields, const std::vector<PropertyDescriptor>& known,
@@ -158,7 +167,8 @@ private:
     void reportUnknown(const ElementId& id, const std::string& key, const std::vector<PropertyDescriptor>& known,
                        const QString& place) {
         if (const std::optional<std::string> near = nearestName(key, keysOf(known)))
-            add(FindingKind::UnknownProperty, false, id, place, errors::PropertyUnknownSuggest(key, *near));
+            add(FindingKind::UnknownProperty, false, id, place, errors::PropertyUnknownSuggest(key, *near),
+                nameAt(m_panel, id, place, *near));
         else
             add(FindingKind::UnknownProperty, false, id, place, errors::PropertyUnknown(key));
     }
@@ -168,13 +178,15 @@ private:
         if (!writing || (value.is_null() && property.fallback.is_null())) return;
         if (isParameter(value)) return; // given where the panel is placed
         if (!writing->fits(value)) {
-            add(FindingKind::WrongPropertyType, true, id, place, writing->complaint());
+            const std::optional<Json> meant = asType(property.type, value);
+            add(FindingKind::WrongPropertyType, true, id, place, writing->complaint(),
+                meant ? valueAt(m_panel, id, place, *meant) : Edit());
             return;
         }
         if (property.limits && value.is_number()) checkRange(id, property, value.get<double>(), place);
         const QString text = toQString(value);
         if (property.type == PropertyType::Color && !isColor(text))
-            add(FindingKind::BadColor, true, id, place, badColor(text));
+            add(FindingKind::BadColor, true, id, place, badColor(text), nearest(id, place, toUtf8(text), roles()));
         if (property.type == PropertyType::Choice || property.type == PropertyType::Symbol)
             checkChoice(id, property, toUtf8(text), place);
         if (property.hint == "theme" && !text.isEmpty()) checkTheme(id, text, place);
@@ -186,15 +198,21 @@ private:
     void checkRange(const ElementId& id, const PropertyDescriptor& property, double number, const QString& place) {
         const auto [low, high] = *property.limits;
         if (number >= low && number <= high) return;
+        const double used = std::clamp(number, low, high);
+        const bool isWhole = property.type == PropertyType::Integer;
         add(FindingKind::OutOfRange, false, id, place,
-            errors::NumberOutOfRange(shownNumber(number), shownNumber(low), shownNumber(high),
-                                     shownNumber(std::clamp(number, low, high))));
+            errors::NumberOutOfRange(shownNumber(number), shownNumber(low), shownNumber(high), shownNumber(used)),
+            valueAt(m_panel, id, place, isWhole ? Json(static_cast<int64_t>(used)) : Json(used)));
+    }
+
+    static std::vector<std::string> roles() {
+        std::vector<std::string> out;
+        for (const QString& role : PanelTheme::roles()) out.push_back(toUtf8(role));
+        return out;
     }
 
     static Message badColor(const QString& text) {
-        std::vector<std::string> roles;
-        for (const QString& role : PanelTheme::roles()) roles.push_back(toUtf8(role));
-        if (const std::optional<std::string> near = nearestName(toUtf8(text), roles))
+        if (const std::optional<std::string> near = nearestName(toUtf8(text), roles()))
             return errors::ColorUnknownSuggest(toUtf8(text), *near);
         return errors::ColorUnknown(toUtf8(text), Verbatim("#2A6CA6"));
     }
@@ -206,14 +224,16 @@ private:
         if (property.key == "theme")
             for (const auto& [name, theme] : m_input.themes.own()) choices.push_back(toUtf8(name));
         if (std::find(choices.begin(), choices.end(), text) == choices.end())
-            add(FindingKind::WrongPropertyType, true, id, place, errors::ChoiceUnknown(text, choices));
+            add(FindingKind::WrongPropertyType, true, id, place, errors::ChoiceUnknown(text, choices),
+                nearest(id, place, text, choices));
     }
 
     void checkTheme(const ElementId& id, const QString& name, const QString& place) {
         if (m_input.themes.has(name)) return;
         std::vector<std::string> names;
         for (const QString& one : m_input.themes.names()) names.push_back(toUtf8(one));
-        add(FindingKind::WrongPropertyType, true, id, place, errors::NoSuchTheme(toUtf8(name), names));
+        add(FindingKind::WrongPropertyType, true, id, place, errors::NoSuchTheme(toUtf8(name), names),
+            nearest(id, place, toUtf8(name), names));
     }
 
     /// `low` must be less than `high` where both are given.
@@ -304,8 +324,10 @@ private:
     void checkFormat(const Element& element, const QString& format, const QString& expression, const QString& place) {
         const std::optional<NumberFormat> parsed = NumberFormat::parse(format);
         if (!parsed || parsed->conversion == 's' || expression.isEmpty() || isNumber(expression)) return;
+        const bool isProperty = place.endsWith(QStringLiteral("format")); // else it is in a text, in some language
         add(FindingKind::BadFormat, true, element.id(), place,
-            errors::FormatNeedsNumber(toUtf8(format), toUtf8(expression), Verbatim("%s")));
+            errors::FormatNeedsNumber(toUtf8(format), toUtf8(expression), Verbatim("%s")),
+            isProperty ? valueAt(m_panel, element.id(), place, "%s") : Edit());
     }
 
     void checkFormats(const Element& element) {

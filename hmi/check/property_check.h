@@ -14,6 +14,7 @@ struct PropertyFinding {
     ElementId element;
     QString property;
     Message message;
+    Edit fix = {};
 };
 
 std::vector<PropertyFinding> checkProperties(const CheckInput& input, const Panel& panel);

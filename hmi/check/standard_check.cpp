@@ -1,5 +1,6 @@
 #include "hmi/check/standard_check.h"
 
+#include "hmi/check/property_fix.h"
 #include "hmi/check/standard_parts.h"
 #include "hmi/model/errors.h"
 
@@ -247,11 +248,11 @@ std::vector<Finding> checkStandard(const CheckInput& input, const NamedPanel& pa
 
 std::vector<Finding> checkStandardOfAll(const CheckInput& input) { return ApplicationChecker(input).run(); }
 
-Edit fixesOf(const std::vector<Finding>& findings, const QString& file) {
-    EditList all;
+Edit fixesOf(const std::vector<Finding>& findings, const QString& file, const Panel& panel) {
+    std::vector<Edit> all;
     for (const Finding& one : findings)
-        if (one.file == file && !one.fix.isEmpty()) all.edits.push_back(one.fix);
-    return {std::move(all)};
+        if (one.file == file && !one.fix.isEmpty()) all.push_back(one.fix);
+    return together(panel, all);
 }
 
 } // namespace plc::hmi

@@ -11,7 +11,7 @@ std::vector<Finding> checkStandard(const CheckInput& input, const NamedPanel& pa
 /// What the panels say together: ways, places, alarms, and what is wrong with the settings of the check.
 std::vector<Finding> checkStandardOfAll(const CheckInput& input);
 
-/// The edits of all findings in a panel, one after the other.
-Edit fixesOf(const std::vector<Finding>& findings, const QString& file);
+/// The fixes of all findings in a file, as one edit of its panel.
+Edit fixesOf(const std::vector<Finding>& findings, const QString& file, const Panel& panel);
 
 } // namespace plc::hmi

@@ -73,8 +73,22 @@ private:
         return !one.isValid() || !other.isValid() || contrast(one, other) >= Visible;
     }
 
-    void addAlone(const Element& element, const QString& property, const QString& a, const QString& b) {
-        m_out.add(StandardRule::ColourAlone, element.id(), property, errors::OnlyColourDiffers(toUtf8(a), toUtf8(b)));
+    void addAlone(const Element& element, const QString& property, const QString& a, const QString& b, Edit fix = {}) {
+        m_out.add(StandardRule::ColourAlone, element.id(), property, errors::OnlyColourDiffers(toUtf8(a), toUtf8(b)),
+                  std::move(fix));
+    }
+
+    /// The colours that the kind has by itself, if brightness tells those apart.
+    Edit ownColours(const Element& element) const {
+        EditList out;
+        QStringList colours;
+        for (const char* key : {"onColor", "offColor"}) {
+            const PropertyDescriptor* property = element.descriptor().property(key);
+            if (!property) return {};
+            colours += toQString(property->fallback);
+            if (element.has(key)) out.edits.push_back(setProperty(m_panel, element.id(), key, property->fallback));
+        }
+        return areToldApart(colours.front(), colours.back()) ? Edit{std::move(out)} : Edit();
     }
 
     void checkAlone(const Element& element) {
@@ -82,7 +96,8 @@ private:
                               element.kind() == ElementKind::Symbol;
         if (hasOnOff && !element.isSet("blink") && isShownByColour(element) &&
             !areToldApart(element.text("onColor"), element.text("offColor")))
-            addAlone(element, QStringLiteral("onColor"), element.text("onColor"), element.text("offColor"));
+            addAlone(element, QStringLiteral("onColor"), element.text("onColor"), element.text("offColor"),
+                     ownColours(element));
         checkRows(element, "states");
         checkRows(element, "when");
         if (element.kind() == ElementKind::Lamp && !element.text("value").isEmpty() && !isFaceplate(m_panel) &&

@@ -10,6 +10,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include <cmath>
+
 namespace plc::hmi {
 
 namespace {
@@ -40,8 +42,9 @@ int columnsThatFit(const Panel& panel, const Element& element) {
 
 ArrayArrangementDialog::ArrayArrangementDialog(const Panel& panel, const Element& element, const DesignContext& context,
                                                QWidget* parent)
-    : QDialog(parent), m_context(context), m_parameter(new QComboBox), m_array(new QComboBox), m_first(indexBox()),
-      m_last(indexBox()), m_columns(new QSpinBox), m_gapX(gapBox()), m_gapY(gapBox()), m_complaint(new QLabel) {
+    : QDialog(parent), m_context(context), m_panel(panel.size()), m_element(element.rect()), m_parameter(new QComboBox),
+      m_array(new QComboBox), m_first(indexBox()), m_last(indexBox()), m_columns(new QSpinBox), m_gapX(gapBox()),
+      m_gapY(gapBox()), m_complaint(new QLabel) {
     setWindowTitle(tr("Arrange over array"));
     if (const Panel* placed = context.project().panelLookup()(element.text("panel"_text)))
         for (Parameter& one : parametersOf(*placed))
@@ -73,6 +76,10 @@ ArrayArrangementDialog::ArrayArrangementDialog(const Panel& panel, const Element
     form->addRow(buttons);
     connect(m_parameter, &QComboBox::currentIndexChanged, this, &ArrayArrangementDialog::listArrays);
     connect(m_array, &QComboBox::currentTextChanged, this, &ArrayArrangementDialog::takeBounds);
+    for (QSpinBox* box : {m_first, m_last, m_columns})
+        connect(box, &QSpinBox::valueChanged, this, &ArrayArrangementDialog::showRoom);
+    for (QDoubleSpinBox* box : {m_gapX, m_gapY})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ArrayArrangementDialog::showRoom);
     listArrays();
 }
 
@@ -93,6 +100,23 @@ void ArrayArrangementDialog::takeBounds() {
     for (QSpinBox* box : {m_first, m_last}) box->setRange(bounds->first, bounds->second);
     m_first->setValue(bounds->first);
     m_last->setValue(std::min(bounds->second, bounds->first + kMostIndices - 1));
+    showRoom();
+}
+
+void ArrayArrangementDialog::showRoom() {
+    if (!m_ok->isEnabled()) return; // there is more to complain about
+    const int count = std::abs(m_last->value() - m_first->value()) + 1, columns = std::min(count, m_columns->value()),
+              rows = (count + columns - 1) / columns;
+    const double right = m_element.left() + columns * (m_element.width() + m_gapX->value()) - m_gapX->value(),
+                 bottom = m_element.top() + rows * (m_element.height() + m_gapY->value()) - m_gapY->value();
+    const bool fits = right <= m_panel.width() && bottom <= m_panel.height();
+    m_complaint->setText(fits ? QString()
+                              : tr("They reach to %1 × %2, the panel only to %3 × %4: make the faceplate smaller or "
+                                   "the panel larger.")
+                                    .arg(std::ceil(right))
+                                    .arg(std::ceil(bottom))
+                                    .arg(m_panel.width())
+                                    .arg(m_panel.height()));
 }
 
 ArrayArrangement ArrayArrangementDialog::arrangement() const {

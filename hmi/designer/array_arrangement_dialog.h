@@ -23,11 +23,16 @@ public:
     QComboBox& parameter() { return *m_parameter; }
     QComboBox& array() { return *m_array; }
     QSpinBox& columns() { return *m_columns; }
+    QLabel& complaint() { return *m_complaint; }
 
 private:
     void listArrays();
     void takeBounds();
+    /// Says so when what is arranged will not fit on the panel.
+    void showRoom();
     const DesignContext& m_context;
+    const QSizeF m_panel;
+    const QRectF m_element;
     std::vector<Parameter> m_parameters;
     QComboBox *m_parameter, *m_array;
     QSpinBox *m_first, *m_last, *m_columns;

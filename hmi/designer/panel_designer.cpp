@@ -343,7 +343,8 @@ void PanelDesigner::fixFinding(size_t index) {
 
 void PanelDesigner::fixAll() {
     const QString file = QStringLiteral("hmi/%1.panel.json").arg(m_name);
-    if (const Edit edit = fixesOf(m_findings, file); !edit.isEmpty()) m_document.perform(tr("Fix All Issues"), edit);
+    if (const Edit edit = fixesOf(m_findings, file, m_document.panel()); !edit.isEmpty())
+        m_document.perform(tr("Fix All Issues"), edit);
     checkNow();
 }
 

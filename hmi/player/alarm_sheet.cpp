@@ -1,5 +1,7 @@
 #include "hmi/player/alarm_sheet.h"
 
+#include "editor/kit/errors.h"
+#include "editor/kit/message_text.h"
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -8,7 +10,7 @@
 
 namespace plc::hmi {
 
-AlarmSheet::AlarmSheet(const AlarmBook& book, size_t alarm, const OverlayLook& look, QWidget* parent)
+AlarmSheet::AlarmSheet(const AlarmBook& book, size_t alarm, const OverlayLook& look, bool canExplain, QWidget* parent)
     : Overlay(look, parent), m_alarm(book.definitions()[alarm].id) {
     const AlarmDefinition& definition = book.definitions()[alarm];
     const AlarmEntry entry = book.entryOf(alarm);
@@ -45,6 +47,7 @@ AlarmSheet::AlarmSheet(const AlarmBook& book, size_t alarm, const OverlayLook& l
         addKey(AlarmAction::ShelveLong, words(SystemText::ShelveFor).arg(QStringLiteral("8 h")), grid);
         addKey(AlarmAction::OutOfService, words(SystemText::OutOfService), grid);
     }
+    if (canExplain && !definition.condition.isEmpty()) addWhy(definition.condition, look.tag, grid);
     auto* close = key(words(SystemText::Close), true);
     connect(close, &QPushButton::clicked, this, [this] {
         emit cancelled();
@@ -53,6 +56,17 @@ AlarmSheet::AlarmSheet(const AlarmBook& book, size_t alarm, const OverlayLook& l
     layout->addLayout(grid);
     layout->addWidget(close);
     place();
+}
+
+/// Behind the others, asked of the condition.
+void AlarmSheet::addWhy(const QString& condition, const QString& language, QGridLayout* grid) {
+    m_why = key(kit::messageText(errors::AskWhy(), language));
+    const int at = static_cast<int>(m_keys.size());
+    grid->addWidget(m_why, at / 2, at % 2);
+    connect(m_why, &QPushButton::clicked, this, [this, condition] {
+        emit whyAsked(condition);
+        close();
+    });
 }
 
 void AlarmSheet::addKey(AlarmAction action, const QString& text, QGridLayout* grid) {

@@ -220,7 +220,11 @@ void PanelPlayer::askForSignature(const WriteRequest& write) {
 
 void PanelPlayer::answerAlarm(const AlarmDetailRequest& request) {
     if (!m_station.mayAnswer(request)) return;
-    auto* sheet = new AlarmSheet(liveAlarms(), request.alarm, look(), this);
+    const bool isOnScreen = m_timer.isActive(); // a browser's panel has no place for the answer
+    auto* sheet = new AlarmSheet(liveAlarms(), request.alarm, look(), isOnScreen, this);
+    connect(sheet, &AlarmSheet::whyAsked, this, [this](const QString& condition) {
+        kit::post(this, [this, condition] { askWhy(kit::AskWhy::Why, condition); });
+    });
     connect(sheet, &AlarmSheet::chosen, this, [this](AlarmAction action, const QString& alarm) {
         kit::post(this, [this, action, alarm] { m_station.act(action, alarm); });
     });
@@ -268,8 +272,15 @@ void PanelPlayer::editValue(const RecipeRequest& request) {
     });
 }
 
+/// A set that is gone does not come back: who touched the wrong key is asked.
 void PanelPlayer::changeSets(const RecipeRequest& request, PanelScene& shownIn) {
-    if (const QString set = m_station.changeSets(request); !set.isEmpty()) showSet(shownIn, request.element, set);
+    const auto change = [this, request, &shownIn] {
+        if (const QString set = m_station.changeSets(request); !set.isEmpty()) showSet(shownIn, request.element, set);
+    };
+    const Recipe* recipe = recipes().find(request.recipe);
+    if (request.kind != RecipeRequestKind::Remove || !recipe || recipe->sets.size() < 2) return change();
+    auto* question = new Question({m_station.say(SystemText::ConfirmRemove).arg(request.set), {}, false}, look(), this);
+    connect(question, &Question::confirmed, &shownIn, change);
 }
 
 } // namespace plc::hmi

@@ -3,8 +3,11 @@
 
 #include "editor/kit/occurrence_text.h"
 #include "hmi/model/property_literals.h"
+#include "hmi/station/operator_names.h"
 #include "hmi/texts/format.h"
+#include "hmi/texts/local_number.h"
 #include "projects/storage/project_file.h"
+#include "runtime/inside/slice.h"
 
 #include <QDir>
 
@@ -272,10 +275,17 @@ QString OperatorStation::whyNot(const ValueFacts& facts, const Value& value, con
            say(SystemText::Between).arg(number(*facts.minimum), number(*facts.maximum));
 }
 
+/// In the operator's words: what the panels call the variable, the number as it is written there.
 QString OperatorStation::questionFor(const ConfirmRequest& request) const {
-    return request.question.isEmpty()
-               ? say(SystemText::ConfirmWrite).arg(request.write.target, request.write.value.toLiteral())
-               : request.question;
+    if (!request.question.isEmpty()) return request.question;
+    QString name = request.write.target;
+    if (const auto program = m_run ? m_run->program() : nullptr)
+        if (const auto place = program->layout.find(name.toStdString())) {
+            const OperatorNames names = operatorNames(m_project, *program, m_language);
+            if (const auto known = names.find(inside::nameOf(program->layout, *place)); known != names.end())
+                name = QString::fromStdString(known->second);
+        }
+    return say(SystemText::ConfirmWrite).arg(name, localNumber(request.write.value.toLiteral(), localeOf(m_language)));
 }
 
 void OperatorStation::confirmed(const WriteRequest& write, const QString& comment) {

@@ -24,6 +24,16 @@ NamedPanel* PanelProject::find(const QString& name) {
     return nullptr;
 }
 
+QString PanelProject::startOrFirst() const {
+    const auto showsSomething = [&](const NamedPanel& panel) { // a faceplate shows nothing by itself
+        return parametersOf(panel.panel).empty() && panel.name != frame;
+    };
+    if (const NamedPanel* start = find(startPanel); start && showsSomething(*start)) return startPanel;
+    const auto first = std::find_if(panels.begin(), panels.end(), showsSomething);
+    if (first != panels.end()) return first->name;
+    return find(startPanel) || panels.empty() ? startPanel : panels.front().name;
+}
+
 CheckInput PanelProject::checkInput() const {
     CheckInput input;
     input.panels = panels;
@@ -36,7 +46,7 @@ CheckInput PanelProject::checkInput() const {
     input.picturesOutside = picturesOutside;
     input.frame = frame;
     input.themes = themes;
-    input.startPanel = startPanel;
+    input.startPanel = startOrFirst();
     input.standard = standard;
     for (const Role& role : people.roles()) input.roles += role.name;
     for (const Recipe& recipe : recipes.recipes()) {
@@ -200,12 +210,7 @@ PanelProject loadPanelProject(const projects::Project& project) {
     out.readThemes();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
-    if (out.find(out.startPanel)) return out;
-    out.startPanel.clear();
-    for (const NamedPanel& panel : out.panels) // a faceplate shows nothing by itself
-        if (out.startPanel.isEmpty() && parametersOf(panel.panel).empty() && panel.name != out.frame)
-            out.startPanel = panel.name;
-    if (out.startPanel.isEmpty() && !out.panels.empty()) out.startPanel = out.panels.front().name;
+    out.startPanel = out.startOrFirst();
     return out;
 }
 

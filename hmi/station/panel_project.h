@@ -33,6 +33,8 @@ struct PanelProject {
 
     const NamedPanel* find(const QString& name) const;
     NamedPanel* find(const QString& name);
+    /// The start panel, or what takes its place as long as none is set: the first that is no faceplate and no frame.
+    QString startOrFirst() const;
     /// Finds panels of the project, then ready faceplates; the project must outlive it.
     PanelLookup panelLookup() const { return lookupIn(panels); }
     /// What the check needs.

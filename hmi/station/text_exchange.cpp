@@ -31,8 +31,8 @@ QMap<QString, QStringList> placesOfTexts(const PanelProject& project) {
 std::string reportText(const XliffReport& report) {
     std::string out;
     for (const Error& remark : report.remarks) out += remark.english() + "\n";
-    return out + std::to_string(report.taken) + " texts taken, " + std::to_string(report.same) + " as they were, " +
-           std::to_string(report.empty) + " without a translation\n";
+    return out + std::to_string(report.taken) + (report.taken == 1 ? " text taken, " : " texts taken, ") +
+           std::to_string(report.same) + " as they were, " + std::to_string(report.empty) + " without a translation\n";
 }
 
 } // namespace plc::hmi

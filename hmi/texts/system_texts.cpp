@@ -69,9 +69,10 @@ constexpr std::array kKeys{
     "standing_alarms",
     "chattering_alarms",
     "user_name",
+    "confirm_remove",
 };
 
-static_assert(kKeys.size() == static_cast<size_t>(SystemText::UserName) + 1);
+static_assert(kKeys.size() == static_cast<size_t>(SystemText::ConfirmRemove) + 1);
 
 /// system_texts.csv, which is a table like that of a project.
 const TextTable& ownTable() {

@@ -61,6 +61,7 @@ enum class SystemText {
     StandingAlarms,
     ChatteringAlarms,
     UserName,
+    ConfirmRemove, // "Delete %1?"
 };
 
 QString systemText(const TextCatalog& texts, SystemText text, const QString& tag);

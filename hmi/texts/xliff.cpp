@@ -342,7 +342,8 @@ XliffReport takeXliff(TextTable& table, const XliffFile& file, const QString& pl
         const QString source = table.text(unit.key, file.source);
         if (!source.isEmpty() && clean(source) != unit.source)
             remark(unit, errors::SourceTextChanged(key, toUtf8(file.source)));
-        if (placeholdersOf(unit.target) != placeholdersOf(unit.source)) {
+        // Of the text as it is here: a tool may have lost them in its copy of the source, too.
+        if (placeholdersOf(unit.target) != placeholdersOf(source.isEmpty() ? unit.source : source)) {
             remark(unit, errors::TranslationPlaceholders(key));
             continue;
         }

@@ -36,6 +36,14 @@ void sendMouse(QWidget& to, QEvent::Type type, QPointF atOverlay, const QWidget&
 
 } // namespace
 
+QStringList pagesOf(const PanelProject& project) {
+    QStringList out;
+    for (const NamedPanel& panel : project.panels)
+        if (panel.name != project.frame && parametersOf(panel.panel).empty()) out += panel.name;
+    if (const auto start = out.indexOf(project.startPanel); start > 0) out.move(start, 0);
+    return out;
+}
+
 WebPanel::WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, OperatorStation& keeper)
     : m_project(project), m_player(project, &run), m_station(m_player.station()), m_stream(store, m_player) {
     m_player.setStepped();
@@ -238,7 +246,9 @@ QByteArray WebPanel::describe() {
     const PanelScene& scene = m_player.scene();
     const QColor ground = scene.theme().color(scene.panel().text("background"_text));
     Json panels = Json::array(), languages = Json::array();
-    for (const NamedPanel& panel : m_project.panels) panels.push_back(panel.name.toStdString());
+    QStringList pages = pagesOf(m_project);
+    if (!pages.contains(m_station.panelName())) pages += m_station.panelName(); // opened by its address
+    for (const QString& page : pages) panels.push_back(page.toStdString());
     for (const QString& tag : m_project.texts.settings().languages) {
         // Qt calls plain English American.
         const QString native =

@@ -11,6 +11,10 @@
 
 namespace plc::hmi::web {
 
+/// What people open: the start panel, then the others; not the frame, nor what is only placed or opened with
+/// parameters.
+QStringList pagesOf(const PanelProject& project);
+
 class WebPanel final : public QObject {
     Q_OBJECT
 public:

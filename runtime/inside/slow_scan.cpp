@@ -216,8 +216,15 @@ SlowScan::LineOf SlowScan::lineOf(size_t stop) const {
     return {range.file, m_look->program().sources[range.file].lineColumn(range.begin).line};
 }
 
+/// As in a running program, a breakpoint is at the first statement of its line, not at those after it.
 bool SlowScan::isBreakpoint(size_t stop) const {
-    return std::find(m_breakpoints.begin(), m_breakpoints.end(), lineOf(stop)) != m_breakpoints.end();
+    const LineOf line = lineOf(stop);
+    if (std::find(m_breakpoints.begin(), m_breakpoints.end(), line) == m_breakpoints.end()) return false;
+    const auto beginOf = [&](size_t one) { return m_look->events()[m_stops[one]].stmt()->range.begin; };
+    for (size_t before = stop; before-- > 0;)
+        if (activationOf(before) == activationOf(stop))                           // not what it called
+            return !(lineOf(before) == line) || beginOf(before) >= beginOf(stop); // a loop that comes again
+    return true;
 }
 
 bool SlowScan::goToLine(const LineOf& line) {

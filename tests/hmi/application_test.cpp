@@ -376,7 +376,19 @@ TEST(Recipe, IsEditedReadAndKeptInTheFile) {
     const auto kept = RecipeFile::parse(file.readAll().toStdString(), {});
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->recipes(), player.recipes().recipes());
-    plant.clickKey(3); // removed
+    plant.clickKey(3); // asks first
+    const auto answer = [&](const QString& word) {
+        Question* question = plant.box<Question>();
+        ASSERT_TRUE(question);
+        for (QPushButton* button : question->findChildren<QPushButton*>())
+            if (button->text() == word) return button->click();
+        FAIL() << word.toStdString();
+    };
+    answer(QStringLiteral("No"));
+    settle();
+    EXPECT_TRUE(player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2")));
+    plant.clickKey(3);
+    answer(QStringLiteral("Yes"));
     EXPECT_FALSE(player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2")));
 }
 
@@ -457,6 +469,13 @@ TEST(Alarms, OneIsShelvedFromItsSheetAndComesBack) {
     EXPECT_TRUE(waitFor(player, [&] { return present().size() == 2; }));
     const AlarmStatistics found = player.alarms().statistics(std::chrono::hours(1));
     EXPECT_EQ(found.raised, 2);
+    player.showPanel(QStringLiteral("main"));
+    plant.clickAt(200, 50 + 20);
+    sheet = plant.box<AlarmSheet>();
+    ASSERT_TRUE(sheet);
+    ASSERT_TRUE(sheet->whyKey());
+    QTest::mouseClick(sheet->whyKey(), Qt::LeftButton);
+    EXPECT_TRUE(waitFor(player, [&] { return player.answer() != nullptr; })) << "why the alarm is active";
 }
 
 } // namespace

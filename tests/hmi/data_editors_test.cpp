@@ -82,6 +82,10 @@ TEST_F(Recipes, WhatIsWrongStandsInItsCellAndWhatIsNoNumberIsNotTaken) {
     type(editor.table(), 0, RecipeEditor::Maximum, QStringLiteral("10"));
     type(editor.table(), 0, RecipeEditor::FirstSet, QStringLiteral("11.0"));
     EXPECT_FALSE(editor.table().item(0, RecipeEditor::FirstSet)->toolTip().isEmpty()) << "above the limit";
+    EXPECT_TRUE(editor.problems().startsWith(QStringLiteral("set1: "))) << editor.problems().toStdString();
+    EXPECT_GE(editor.table().columnWidth(RecipeEditor::FirstSet),
+              editor.table().fontMetrics().horizontalAdvance(QStringLiteral("11.0")) + 16)
+        << "the value is seen beside the icon";
     type(editor.table(), 0, RecipeEditor::Maximum, QStringLiteral("many"));
     EXPECT_EQ(only().variables[0].maximum, 10);
     EXPECT_EQ(editor.table().item(0, RecipeEditor::Maximum)->text().toStdString(), "10");

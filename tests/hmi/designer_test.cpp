@@ -301,6 +301,35 @@ TEST(Designer, ThePropertySheetEditsSeveralElementsAtOnceAndOnlyWhatTheyShare) {
     EXPECT_EQ(studio.panel().size(), QSize(800, 480));
 }
 
+TEST(Designer, APlaceIsTypedDigitByDigit) {
+    Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50]})");
+    studio.designer->selection().set({QStringLiteral("a")});
+    settle();
+    kit::PropertyGrid& grid = studio.designer->sheet().grid();
+    const std::string before = studio.panel().write();
+    grid.editProperty(QStringLiteral("rect.x"));
+    auto* spin = grid.viewport()->findChild<QDoubleSpinBox*>();
+    ASSERT_TRUE(spin);
+    for (const char digit : {'2', '4', '8'}) {
+        QTest::keyClick(spin, digit);
+        settle();
+    }
+    QTest::keyClick(spin, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->rect(), QRectF(248, 100, 50, 50));
+    studio.designer->document().undoStack().undo();
+    EXPECT_EQ(studio.panel().write(), before) << "one step";
+}
+
+TEST(Designer, ASizeThatIsNoneOfTheUsualIsShown) {
+    Studio studio;
+    settle();
+    kit::PropertyGrid& grid = studio.designer->sheet().grid();
+    studio.designer->sheet().commit(QStringLiteral("size.w"), 80.0);
+    studio.designer->sheet().commit(QStringLiteral("size.h"), 96.0);
+    EXPECT_EQ(grid.row(QStringLiteral("size.preset"))->text(1).toStdString(), "80 × 96");
+}
+
 TEST(Designer, EveryPropertyOfEveryKindIsOfferedAndComesBackUnchanged) {
     Studio studio;
     for (const ElementDescriptor& kind : elementDescriptors()) {

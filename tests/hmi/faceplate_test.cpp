@@ -1,6 +1,7 @@
 // Faceplates: one panel with parameters, placed for every element of an array; edited once, checked by the front end,
 // operated on a running controller, undone byte for byte.
 #include "hmi/designer/array_arrangement_dialog.h"
+#include "hmi/designer/canvas/outline.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/view/element_factory.h"
@@ -10,6 +11,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -149,6 +151,20 @@ TEST(Faceplate, IsDrawnScaledAtItsPlaceAndFollowsItsOwnGate) {
     EXPECT_TRUE(changed.contains(QPoint(140, 80)));
     EXPECT_FALSE(changed.contains(QPoint(140, 150))); // the button
     EXPECT_EQ(scene.viewAt(QPointF(140, 150)), scene.view(QStringLiteral("g/go")));
+}
+
+TEST(Faceplate, WithoutABackgroundOfItsOwnThatOfThePanelIsSeen) {
+    Plant plant(
+        R"({"id": "g", "kind": "faceplate", "rect": [100, 50, 80, 120], "panel": "gate", "arguments": {"gate": "Main.gates[7]"}})");
+    PanelScene scene{makeElementView};
+    scene.setFaceplates(plant.project.panelLookup());
+    scene.setPanel(plant.project.find(QStringLiteral("main"))->panel);
+    for (const char* theme : {"light", "dark", "contrast"}) {
+        scene.setTheme(QString::fromLatin1(theme));
+        const QImage picture = scene.picture();
+        EXPECT_EQ(picture.pixelColor(106, 56).name().toStdString(), picture.pixelColor(20, 20).name().toStdString())
+            << theme;
+    }
 }
 
 TEST(Faceplate, MayBeNestedButNotContainItself) {
@@ -299,7 +315,12 @@ TEST(FaceplateDesigner, TwoHundredGatesAreArrangedOverAnArrayInOneGestureAndEdit
     whenShown<ArrayArrangementDialog>([](ArrayArrangementDialog& dialog) {
         EXPECT_EQ(dialog.array().currentText().toStdString(), "Main.gates"); // the only one that fits
         EXPECT_EQ(dialog.columns().value(), 21);                             // as many as fit
+        EXPECT_EQ(dialog.complaint().text(), "");
+        dialog.columns().setValue(5);
+        EXPECT_TRUE(dialog.complaint().text().contains(QStringLiteral("240 × 2720")))
+            << dialog.complaint().text().toStdString();
         dialog.columns().setValue(20);
+        EXPECT_EQ(dialog.complaint().text(), "");
         QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
     });
     studio.designer->action(QStringLiteral("arrange-array"))->trigger();
@@ -309,6 +330,9 @@ TEST(FaceplateDesigner, TwoHundredGatesAreArrangedOverAnArrayInOneGestureAndEdit
     EXPECT_EQ(argumentsOf(last.at("arguments")), (Arguments{{"gate", "Main.gates[200]"}, {"title", "G200"}}));
     EXPECT_EQ(last.rect(), QRectF(8 + 19 * 48, 8 + 9 * 68, 40, 60));
     EXPECT_EQ(studio.plant.findings(), "");
+
+    const QTreeWidgetItem* row = studio.designer->outline().topLevelItem(0);
+    EXPECT_EQ(row->text(0).toStdString().substr(0, 7), "gate  G") << "which of the two hundred it is";
 
     // One edit of the faceplate, in its own designer, changes all of them on the open panel.
     PanelScene& scene = studio.designer->canvas().scene();

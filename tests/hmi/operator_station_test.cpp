@@ -80,6 +80,23 @@ TEST_F(Operated, EveryRefusalOfAWriteHasItsReasonInTheOperatorsLanguage) {
     EXPECT_TRUE(waitFor("NOT Main.start AND Main.small = 0 AND Main.presses = 0")); // nothing came through
 }
 
+TEST_F(Operated, AConfirmationAsksInTheOperatorsWordsAndNumbers) {
+    addPanel(
+        "main",
+        R"("elements": [{"id":"e","kind":"numberEntry","rect":[0,0,90,40],"title":"Speed","target":"Main.small"}])");
+    start();
+    const ConfirmRequest request{
+        {}, {QStringLiteral("e"), QStringLiteral("main.SMALL"), WriteKind::Write, Value::ofReal(55.5), {}}, false};
+    EXPECT_EQ(station->questionFor(request).toStdString(), "Write 55.5 to Speed?");
+    station->setLanguage(QStringLiteral("da"));
+    EXPECT_EQ(station->questionFor(request).toStdString(), "Skriv 55,5 til Speed?");
+    ConfirmRequest unnamed = request;
+    unnamed.write.target = QStringLiteral("Main.count");
+    EXPECT_EQ(station->questionFor(unnamed).toStdString(), "Skriv 55,5 til Main.count?");
+    unnamed.question = QStringLiteral("Sure?");
+    EXPECT_EQ(station->questionFor(unnamed).toStdString(), "Sure?");
+}
+
 TEST_F(Operated, AMomentaryPressIsSeenByAScanHoweverShortItIsAndComesUpAgain) {
     start();
     ASSERT_TRUE(waitFor("Main.count > 2"));

@@ -95,6 +95,31 @@ TEST_F(PeopleChosen, TheStartPanelAndTheLanguageAreThoseOfTheProject) {
     EXPECT_TRUE(editor.problem().contains(QStringLiteral("cellar"))) << editor.problem().toStdString();
 }
 
+TEST_F(PeopleChosen, WhatIsAddedIsSeenAndItsNameTypedAtOnce) {
+    for (int n = 0; n < 20; ++n) editor.addRole(); // more than there is room for
+    const auto press = [&](const QString& text) {
+        for (QToolButton* button : editor.findChildren<QToolButton*>())
+            if (button->text() == text) QTest::mouseClick(button, Qt::LeftButton);
+        settle();
+        return QApplication::focusWidget();
+    };
+    QWidget* field = press(QStringLiteral("Add a Role"));
+    ASSERT_TRUE(qobject_cast<QLineEdit*>(field));
+    QTest::keyClicks(field, QStringLiteral("night"));
+    QTest::keyClick(field, Qt::Key_Return);
+    settle();
+    const auto& roles = studio.project.people.roles();
+    EXPECT_EQ(roles.back().name.toStdString(), "night");
+    QTableWidget& table = editor.roles();
+    EXPECT_TRUE(table.viewport()->rect().contains(table.visualItemRect(table.item(table.rowCount() - 1, 0)).center()));
+    field = press(QStringLiteral("Add a User"));
+    ASSERT_TRUE(qobject_cast<QLineEdit*>(field));
+    QTest::keyClicks(field, QStringLiteral("ben"));
+    QTest::keyClick(field, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(studio.project.people.users().back().name.toStdString(), "ben");
+}
+
 TEST(PasswordDialog, TakesAPasswordOnlyTwiceAndSaysWhyNot) {
     PasswordDialog dialog(QStringLiteral("anna-maria"));
     dialog.show();

@@ -49,7 +49,7 @@ int fix(const hmi::PanelProject& panels, const std::vector<hmi::Finding>& findin
     size_t count = 0;
     for (hmi::NamedPanel panel : panels.panels) {
         const QString file = panels.placeOf(panels.panelPath(panel.name));
-        const hmi::Edit edit = hmi::fixesOf(findings, file);
+        const hmi::Edit edit = hmi::fixesOf(findings, file, panel.panel);
         if (edit.isEmpty()) continue;
         (void)hmi::applyTo(panel.panel, edit);
         if (const auto saved = hmi::savePanel(panels, panel); !saved) return wrongUse(saved.error());

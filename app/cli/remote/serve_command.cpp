@@ -9,6 +9,8 @@
 #include "app/serve/serve.h"
 #include "app/serve/state_place.h"
 
+#include <QDateTime>
+
 #include <filesystem>
 #include <iostream>
 
@@ -96,6 +98,12 @@ void printStatistics(const std::vector<controller::TaskStatistics>& tasks) {
     }
 }
 
+/// What operators read beside an alarm: the local date and time, in nanoseconds as DATE_AND_TIME has them.
+int64_t timeOnTheWall() {
+    const QDateTime now = QDateTime::currentDateTime();
+    return (now.toMSecsSinceEpoch() + now.offsetFromUtc() * 1000LL) * 1'000'000;
+}
+
 int runServe(const Arguments& arguments) {
     if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("serve")), ""});
     const auto project = openNamedProject(arguments);
@@ -115,6 +123,8 @@ int runServe(const Arguments& arguments) {
     forSession.historyBudget = size_t(64) << 20; // the rest is on disk
     forSession.retainInterval = std::chrono::seconds(1);
     if (auto set = setCalendarStart(arguments, *project, forSession); !set) return wrongUse(set.error());
+    const bool isDateGiven = arguments.has("--start") || !project->calendarStart.empty();
+    if (!isDateGiven && !settings->trial) forSession.controller.calendarStartNs = timeOnTheWall();
     catchInterrupt();
     needApplication();
     hmi::PanelProject panels = hmi::loadPanelProject(*project);
@@ -177,7 +187,8 @@ Command serveCommand() {
           {"--allow-breakpoints", "", "attached studios may stop the controller inside a scan"},
           {"--stats", "", "at the end how long tasks ran, how late scans began and ended, and the latest scans"},
           {"--trial", "24h", "this much plant time as fast as the machine can, then the end: what a day needs of disk"},
-          {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
+          {"--start", "DT#2026-01-01-06:00:00",
+           "calendar at the first scan; the date and time of this computer if neither this nor the project gives one"},
           {"--library", "NAME", "a library the files use, in addition to the standard library (repeatable)"}},
          "stepwise serve projects/examples/alarm_texts --port 8080"},
         runServe};

@@ -23,6 +23,11 @@ namespace plc::kit {
 
 namespace {
 
+// Properties of an open editor: that it has its value, and what the row had before any preview.
+constexpr const char* kIsFilled = "isFilled";
+constexpr const char* kBefore = "before";
+constexpr const char* kWasVarious = "wasVarious";
+
 QString idOf(const QModelIndex& index) {
     return index.sibling(index.row(), 0).data(PropertyDelegate::IdRole).toString();
 }
@@ -135,6 +140,7 @@ void PropertyDelegate::finish(QWidget* editor) const {
     const QString id = idOf(m_grid.currentIndex());
     auto* self = const_cast<PropertyDelegate*>(this);
     const std::optional<QVariant> value = valueOf(editor, id);
+    takePreviewBack(editor, id);
     emit self->closeEditor(editor);
     if (value) m_grid.commit(id, *value);
 }
@@ -243,6 +249,11 @@ void PropertyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
     const QVariant value = m_grid.value(idOf(index));
     if (const PropertyDescriptor* described = m_grid.descriptor(idOf(index)))
         (editor->focusProxy() ? editor->focusProxy() : editor)->setAccessibleName(described->label);
+    // What is previewed comes back as the value of the row; whoever is typing must not have it written over.
+    if (editor->property(kIsFilled).toBool()) return;
+    editor->setProperty(kIsFilled, true);
+    editor->setProperty(kBefore, value);
+    editor->setProperty(kWasVarious, m_grid.isVarious(idOf(index)));
     const QSignalBlocker quiet(editor);
     if (auto* spin = qobject_cast<QSpinBox*>(editor)) {
         spin->setValue(value.toInt());
@@ -280,7 +291,17 @@ std::optional<QVariant> PropertyDelegate::valueOf(QWidget* editor, const QString
 
 void PropertyDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
     const QString id = idOf(index);
-    if (const auto value = valueOf(editor, id)) m_grid.commit(id, *value);
+    const auto value = valueOf(editor, id);
+    takePreviewBack(editor, id);
+    if (value) m_grid.commit(id, *value);
+}
+
+/// A commit is one step from the value before any preview.
+void PropertyDelegate::takePreviewBack(const QWidget* editor, const QString& id) const {
+    if (editor->property(kWasVarious).toBool())
+        m_grid.setVarious(id);
+    else
+        m_grid.setValue(id, editor->property(kBefore));
 }
 
 bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
@@ -299,7 +320,7 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
         }
         if (key == Qt::Key_Escape) {
             const QString id = idOf(m_grid.currentIndex());
-            if (!m_grid.isVarious(id)) emit m_grid.previewed(id, m_grid.value(id));
+            if (!editor->property(kWasVarious).toBool()) emit m_grid.previewed(id, editor->property(kBefore));
         }
     }
     return QStyledItemDelegate::eventFilter(object, event);

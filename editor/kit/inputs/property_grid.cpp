@@ -30,6 +30,8 @@ QString propertyText(const PropertyDescriptor& descriptor, const QVariant& value
     case PropertyKind::Enumeration:
         for (const PropertyChoice& choice : descriptor.choices)
             if (choice.value == value) return choice.label;
+        if (value.typeId() == QMetaType::QSize) // one that is not among the choices
+            return QStringLiteral("%1 × %2").arg(value.toSize().width()).arg(value.toSize().height());
         return value.toString();
     case PropertyKind::Color: {
         const auto color = value.value<QColor>();
@@ -89,7 +91,7 @@ void PropertyGrid::setDescriptors(std::vector<PropertyDescriptor> descriptors) {
         }
         e.item = new QTreeWidgetItem(group, {e.descriptor.label});
         e.item->setData(0, PropertyDelegate::IdRole, e.descriptor.id);
-        e.item->setToolTip(0, e.descriptor.toolTip);
+        e.item->setToolTip(0, e.descriptor.toolTip.isEmpty() ? e.descriptor.label : e.descriptor.toolTip);
         e.item->setFlags(e.descriptor.isReadOnly ? Qt::ItemIsEnabled | Qt::ItemIsSelectable
                                                  : Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
         showValue(e);

@@ -14,6 +14,20 @@ namespace plc::hmi {
 namespace {
 constexpr int kIdRole = Qt::UserRole;
 
+/// Which of the placed faceplates it is: its title, else what it is placed for.
+QString placedFor(const Element& element, const DesignContext& context) {
+    const Arguments given = argumentsOf(element.at("arguments"_field));
+    const Panel* placed = context.project().panelLookup()(element.text("panel"_text));
+    QString out;
+    for (const Parameter& one : placed ? parametersOf(*placed) : std::vector<Parameter>()) {
+        const QString argument = given.value(one.name.toLower());
+        if (argument.isEmpty()) continue;
+        if (one.isText()) return context.shownText(argument);
+        if (out.isEmpty()) out = argument;
+    }
+    return out;
+}
+
 /// The name given by the engineer, else what it is and what it says or shows.
 QString titleOf(const Element& element, const DesignContext& context) {
     if (const QString name = element.text("name"_text); !name.isEmpty()) return name;
@@ -21,6 +35,9 @@ QString titleOf(const Element& element, const DesignContext& context) {
     for (const char* const words : {"text", "title", "label", "onText"})
         if (const QString text = context.shownText(element.text(words)).simplified(); !text.isEmpty())
             return QStringLiteral("%1  %2").arg(kind, QLocale().quoteString(text.left(40)));
+    if (element.kind() == ElementKind::Faceplate)
+        if (const QString which = placedFor(element, context).simplified(); !which.isEmpty())
+            return QStringLiteral("%1  %2").arg(element.text("panel"_text), which.left(40));
     for (const char* const bound : {"target", "value", "state", "file", "panel", "symbol"})
         if (const QString text = element.text(bound).simplified(); !text.isEmpty())
             return QStringLiteral("%1  %2").arg(kind, text.left(40));

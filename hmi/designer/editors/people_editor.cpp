@@ -57,6 +57,13 @@ QToolBar* barInWords() {
 
 bool isSame(const QString& a, const QString& b) { return a.compare(b, Qt::CaseInsensitive) == 0; }
 
+/// What was added is seen, and its name can be typed at once.
+void nameCurrent(QTableWidget& table) {
+    table.scrollToItem(table.currentItem());
+    table.setFocus();
+    table.editItem(table.currentItem());
+}
+
 } // namespace
 
 PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
@@ -66,10 +73,16 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
       m_problem(new QLabel) {
     QToolBar* bar = makeEditBar(m_undo, this);
     QToolBar *forUsers = barInWords(), *forRoles = barInWords();
-    forUsers->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, &PeopleEditor::addUser);
+    forUsers->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, [this] {
+        addUser();
+        nameCurrent(*m_users);
+    });
     forUsers->addAction(kit::icon(kit::Icon::Lock), tr("Set Password…"), this, &PeopleEditor::askForPassword);
     forUsers->addAction(kit::icon(kit::Icon::Remove), tr("Remove User"), this, &PeopleEditor::removeSelectedUser);
-    forRoles->addAction(kit::icon(kit::Icon::Layers), tr("Add a Role"), this, &PeopleEditor::addRole);
+    forRoles->addAction(kit::icon(kit::Icon::Layers), tr("Add a Role"), this, [this] {
+        addRole();
+        nameCurrent(*m_roles);
+    });
     forRoles->addAction(kit::icon(kit::Icon::Remove), tr("Remove Role"), this, &PeopleEditor::removeSelectedRole);
     m_timeout->setRange(0, 86'400);
     m_timeout->setSuffix(tr(" s"));
@@ -91,6 +104,7 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
     layout->addWidget(bar);
     layout->addWidget(splitter, 1);
     layout->addWidget(m_problem);
+    setFocusProxy(m_users);
 
     offerChoices();
     connect(m_users, &QTableWidget::cellChanged, this,

@@ -43,7 +43,11 @@ QString shownLimit(const std::optional<double>& limit) {
 RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_list(new QListWidget), m_table(new QTableWidget), m_problems(new QLabel) {
     QToolBar* bar = makeEditBar(m_undo, this);
-    bar->addAction(kit::icon(kit::Icon::New), tr("Add a Recipe"), this, &RecipeEditor::addRecipe);
+    bar->addAction(kit::icon(kit::Icon::New), tr("Add a Recipe"), this, [this] {
+        addRecipe();
+        m_list->setFocus();
+        m_list->editItem(m_list->currentItem()); // its name can be typed at once
+    });
     bar->addAction(kit::icon(kit::Icon::Variable), tr("Add a Variable"), this, [this] {
         const std::optional<QString> path = m_context.picker() ? m_context.picker()(QString()) : std::nullopt;
         if (path || !m_context.picker()) addVariable(path.value_or(QString()));
@@ -321,7 +325,7 @@ void RecipeEditor::showProblems(const Recipe& recipe) {
     QStringList all;
     for (const RecipeFinding& one : checkRecipes(m_context.project().recipes, m_context.checked())) {
         const QString text = kit::messageText(one.message);
-        if (one.recipe == recipe.name) all += text;
+        if (one.recipe == recipe.name) all += one.set.isEmpty() ? text : one.set + QStringLiteral(": ") + text;
         for (int row = 0; one.recipe == recipe.name && row < m_table->rowCount(); ++row) {
             if (m_table->item(row, Variable)->text() != one.variable) continue;
             const auto set = std::find_if(recipe.sets.begin(), recipe.sets.end(),
@@ -333,6 +337,7 @@ void RecipeEditor::showProblems(const Recipe& recipe) {
         }
     }
     m_problems->setText(all.join(u'\n'));
+    m_table->resizeColumnsToContents(); // the icons need room beside the values
 }
 
 void RecipeEditor::importCsv(const QString& path) {

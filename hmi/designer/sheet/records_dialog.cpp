@@ -57,6 +57,7 @@ RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& val
     for (const PropertyDescriptor& field : fields())
         for (kit::PropertyDescriptor& row : gridRows(field, context)) rows.push_back(std::move(row));
     m_grid->setDescriptors(std::move(rows));
+    m_grid->resizeColumnToContents(0); // some names of fields say what may be written there
     connect(m_grid, &kit::PropertyGrid::committed, this, [this](const QString& id, const QVariant& edited) {
         const int row = m_list->currentRow();
         if (row < 0) return;

@@ -1,6 +1,7 @@
 #include "hmi/view/lists/recipe_view.h"
 
 #include "hmi/recipes/recipe_file.h"
+#include "hmi/texts/local_number.h"
 #include "hmi/view/controls/buttons.h"
 #include "hmi/view/scene/panel_scene.h"
 
@@ -194,12 +195,13 @@ void RecipeTableView::drawRow(QPainter& painter, int row, size_t index) {
     painter.setBrush(theme().color("inset"));
     painter.drawRoundedRect(field, 4, 4);
     painter.setPen(theme().color("text"));
-    drawText(painter, textBox(leftToRight(own.isEmpty() ? QStringLiteral("–") : own + unit),
+    drawText(painter, textBox(leftToRight(own.isEmpty() ? QStringLiteral("–") : localNumber(own, locale()) + unit),
                               field.adjusted(6, 0, -6, 0), size, TextAlign::End, ""));
     const Value& actual = index < m_actual.size() ? value(m_actual[index]) : value(Slot{});
     if (actual.isNone()) return;
     const QString format = variable.format.isEmpty() ? QString() : variable.format;
-    const QString there = format.isEmpty() ? actual.toLiteral() : formatValue(actual, format, locale());
+    const QString there =
+        format.isEmpty() ? localNumber(actual.toLiteral(), locale()) : formatValue(actual, format, locale());
     painter.setPen(theme().color("muted"));
     drawText(painter,
              textBox(leftToRight(there + unit), cell(row, 2).adjusted(4, 0, -10, 0), size, TextAlign::End, ""));

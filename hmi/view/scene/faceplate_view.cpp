@@ -12,7 +12,7 @@ const Panel* FaceplateView::panel() const {
 
 void FaceplateView::setUp() {
     m_contents = {};
-    m_ground = {};
+    m_ground = QColor(); // {} would be Qt::color0, which is white
     const Panel* placed = panel();
     if (!placed) return;
     const QSizeF size = m_size = sizeFor(*placed, rect().size());

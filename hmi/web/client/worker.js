@@ -1,7 +1,7 @@
 // The worker in which a panel is painted: it has a processor for itself, and the page stays quick to touch.
 'use strict';
 
-importScripts('reader.js', 'ink.js', 'words.js', 'commands.js', 'paint.js', 'easel.js');
+importScripts('reader.js', 'ink.js', 'words.js', 'commands.js', 'elements.js', 'paint.js', 'easel.js');
 
 let easel = null;
 onmessage = event => {

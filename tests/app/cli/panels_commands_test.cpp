@@ -91,7 +91,7 @@ TEST_F(PanelsCommands, TextsGoOutAsXliffAndComeBack) {
     EXPECT_EQ(run("texts", {"--import", path("t.xlf"), "--preview"}), 0) << out << err;
     EXPECT_EQ(read("hmi/texts.csv").find("Tor"), std::string::npos);
     EXPECT_EQ(run("texts", {"--import", path("t.xlf")}), 0) << out << err;
-    EXPECT_EQ(out, "1 texts taken, 0 as they were, 0 without a translation\n");
+    EXPECT_EQ(out, "1 text taken, 0 as they were, 0 without a translation\n");
     EXPECT_NE(read("hmi/texts.csv").find("Tor {n:%d}"), std::string::npos);
     write("t.xlf", "<html/>");
     EXPECT_EQ(run("texts", {"--import", path("t.xlf")}), 2);

@@ -10,6 +10,7 @@
 
 #include <QFile>
 #include <QTcpServer>
+#include <QTcpSocket>
 #include <QWebSocket>
 #include <array>
 #include <csignal>
@@ -321,15 +322,49 @@ TEST(Attach, WhereNobodySpeaksTlsIsSaidToo) {
     address.url.setScheme("https");
     EXPECT_FALSE(isAttached(secure, address));
     const std::string why = secure.problem().english();
-    EXPECT_TRUE(why.starts_with("127.0.0.1 cannot be reached by TLS: ")) << why;
+    EXPECT_TRUE(
+        why.starts_with("The server at 127.0.0.1:" + std::to_string(address.url.port()) + " does not speak TLS; "))
+        << why;
     EXPECT_NE(why.find("--certificate"), std::string::npos) << why;
     RemoteController nobody; // nor anybody at all: the probe changes nothing about that
     QTcpServer free;
     ASSERT_TRUE(free.listen(QHostAddress::LocalHost));
     address.url = QUrl(QStringLiteral("http://127.0.0.1:%1/").arg(free.serverPort()));
     free.close();
+    address.url.setScheme("https");
     EXPECT_FALSE(isAttached(nobody, address));
-    EXPECT_TRUE(nobody.problem().english().starts_with("127.0.0.1 cannot be reached: ")) << nobody.problem().english();
+    EXPECT_EQ(nobody.problem().english(), "Nothing answers at 127.0.0.1:" + std::to_string(address.url.port()) +
+                                              "; check the port, and whether `stepwise serve` runs there");
+    address.url.setScheme("http");
+    EXPECT_FALSE(isAttached(nobody, address));
+    EXPECT_EQ(nobody.problem().english(), "Nothing answers at 127.0.0.1:" + std::to_string(address.url.port()) +
+                                              "; check the port, and whether `stepwise serve` runs there");
+}
+
+TEST(Attach, AForeignServerIsNamedInWordsWithWhatToCheck) {
+    for (const QByteArray& words :
+         {QByteArray("HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n"), QByteArray("SSH-2.0-OpenSSH_9.2\r\n"),
+          QByteArray("HTTP/1.1 302 Found\r\nLocation: /login\r\nContent-Length: 0\r\n\r\n"), QByteArray()}) {
+        QTcpServer foreign;
+        ASSERT_TRUE(foreign.listen(QHostAddress::LocalHost));
+        QObject::connect(&foreign, &QTcpServer::newConnection, &foreign, [&] {
+            QTcpSocket* client = foreign.nextPendingConnection();
+            QObject::connect(client, &QTcpSocket::readyRead, client, [client, words] {
+                client->readAll();
+                client->write(words);
+                client->disconnectFromHost();
+            });
+        });
+        const std::string port = std::to_string(foreign.serverPort());
+        RemoteController controller;
+        EXPECT_FALSE(isAttached(
+            controller,
+            {QUrl(QStringLiteral("http://127.0.0.1:%1/").arg(foreign.serverPort())), kAttachCode, {}, "test"}));
+        EXPECT_EQ(controller.problem().english(), "The server at 127.0.0.1:" + port +
+                                                      " is not a controller started with `stepwise serve`; check the "
+                                                      "host and the port")
+            << words.toStdString();
+    }
 }
 
 TEST(Attach, ACertificateServesWithItsOwnKeyOnly) {

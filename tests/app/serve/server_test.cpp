@@ -70,6 +70,20 @@ struct Client {
     bool isClosed() const { return socket.state() == QAbstractSocket::UnconnectedState; }
 };
 
+TEST(Pages, AreThoseThatPeopleOpenTheStartPanelFirst) {
+    hmi::PanelProject project;
+    for (const auto& [name, fields] : {std::pair{"alarms", "{}"},
+                                       {"detail", R"({"parameters": [{"name": "valve"}]})"},
+                                       {"frame", "{}"},
+                                       {"main", "{}"}})
+        project.panels.push_back({QLatin1String(name), *hmi::Panel::parse(fields, QLatin1String(name))});
+    project.frame = QStringLiteral("frame");
+    project.startPanel = QStringLiteral("main");
+    EXPECT_EQ(hmi::web::pagesOf(project), (QStringList{"main", "alarms"}));
+    project.startPanel = QStringLiteral("detail");
+    EXPECT_EQ(hmi::web::pagesOf(project), (QStringList{"alarms", "main"}));
+}
+
 TEST(Server, PagesStatusAndMetricsSayWhatRuns) {
     Served served;
     ServerSettings settings;

@@ -242,6 +242,38 @@ TEST(PropertyGrid, SpinningPreviewsAndLeavingCommitsOnce) {
     EXPECT_EQ(grid.value("x").toInt(), 12);
 }
 
+TEST(PropertyGrid, DigitsAreTypedOneAfterTheOtherWhileEachIsPreviewed) {
+    PropertyGrid grid;
+    grid.setDescriptors(someDescriptors());
+    grid.setValue("x", 10);
+    grid.resize(320, 400);
+    grid.show();
+    // As a sheet does: what is previewed becomes the value, which the row shows.
+    QObject::connect(&grid, &PropertyGrid::previewed, &grid,
+                     [&](const QString& id, const QVariant& value) { grid.setValue(id, value); });
+    QSignalSpy commits(&grid, &PropertyGrid::committed), previews(&grid, &PropertyGrid::previewed);
+    const auto edit = [&] {
+        QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cellOf(grid, "x").center());
+        auto* spin = grid.viewport()->findChild<QSpinBox*>();
+        for (const char digit : {'2', '4', '0'}) {
+            QTest::keyClick(spin, digit);
+            QCoreApplication::processEvents();
+        }
+        return spin;
+    };
+    QSpinBox* spin = edit();
+    EXPECT_EQ(spin->value(), 240);
+    QTest::keyClick(spin, Qt::Key_Return);
+    ASSERT_EQ(commits.count(), 1) << "although the preview showed it already";
+    EXPECT_EQ(commits[0][1].toInt(), 240);
+    EXPECT_EQ(grid.value("x").toInt(), 240);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    grid.setValue("x", 10);
+    QTest::keyClick(edit(), Qt::Key_Escape);
+    EXPECT_EQ(commits.count(), 1);
+    EXPECT_EQ(previews.last()[1].toInt(), 10) << "back to what it was before the first digit";
+}
+
 TEST(PropertyGrid, EscapeTakesThePreviewBackAndCommitsNothing) {
     PropertyGrid grid;
     grid.setDescriptors(someDescriptors());

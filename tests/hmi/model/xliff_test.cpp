@@ -112,6 +112,19 @@ TEST(Xliff, SaysWhatDoesNotFitAndTakesNoneOfIt) {
     EXPECT_EQ(table.text(QStringLiteral("b"), QStringLiteral("de")).toStdString(), "Alter Text");
 }
 
+TEST(Xliff, APlaceholderThatAToolLostInBothLanguagesIsNotLostHere) {
+    TextTable table = tableOf("key,comment,en,de\na,,Load {load:%.0f} %,Last {load:%.0f} %\n");
+    const std::string bytes = "<xliff version=\"1.2\"><file source-language=\"en\" target-language=\"de\"><body>\n"
+                              "<trans-unit id=\"a\"><source>Load  %</source><target>Last  %</target></trans-unit>\n"
+                              "</body></file></xliff>";
+    const Result<XliffFile> file = readXliff(bytes, QStringLiteral("f.xlf"));
+    ASSERT_TRUE(file) << file.error().english();
+    const XliffReport report = takeXliff(table, *file, QStringLiteral("f.xlf"));
+    EXPECT_EQ(report.taken, 0);
+    EXPECT_EQ(report.remarks.size(), 2u) << "another source, other placeholders";
+    EXPECT_EQ(table.text(QStringLiteral("a"), QStringLiteral("de")).toStdString(), "Last {load:%.0f} %");
+}
+
 TEST(Xliff, AFileThatIsNoneIsRefusedWithItsPlace) {
     const char* const rows[] = {"",
                                 "nothing",

@@ -1,5 +1,5 @@
 // The check of what properties say: each rule with an element that breaks it and one that does not.
-#include "hmi/check/panel_check.h"
+#include "hmi/check/standard_check.h"
 #include "hmi/model/errors.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +106,46 @@ TEST(PropertyCheck, AColumnOfTextsThatIsNoLanguageOfTheProjectIsReported) {
     EXPECT_EQ(found[0].text().toStdString(),
               "hmi/texts.csv:1:  [fr]: warning H1038: The project has no language fr, so operators never see this "
               "column; add it to the languages in project.json");
+}
+
+TEST(PropertyCheck, WhatCanOnlyMeanOneThingIsFixedAndUndoneByteForByte) {
+    const struct {
+        std::string before, after;
+    } rows[] = {
+        {R"("kind":"lamp","vlaue":"b")", R"("value":"b")"},
+        {R"("kind":"lamp","onColor":"yelow")", R"("onColor":"yellow")"},
+        {R"("kind":"lamp","blink":"True")", R"("blink":true)"},
+        {R"("kind":"gauge","min":"2.5")", R"("min":2.5)"},
+        {R"("kind":"gauge","ticks":"7")", R"("ticks":7)"},
+        {R"("kind":"lamp","shape":"squre")", R"("shape":"square")"},
+        {R"("kind":"number","value":"s","format":"%d")", R"("format":"%s")"},
+        {R"("kind":"lamp","when":[{"iff":"b","color":"gren"},{"if":"b","color":"yelow"}])",
+         R"("when":[{"if":"b","color":"green"},{"if":"b","color":"yellow"}])"},
+    };
+    for (const auto& row : rows) {
+        const std::string element = R"({"id":"a","rect":[0,0,40,40],)" + row.before + "}";
+        Result<Panel> panel = Panel::parse("{\"elements\": [" + element + "]}", QStringLiteral("main"));
+        ASSERT_TRUE(panel);
+        const std::string before = panel->write();
+        const Edit fixes = fixesOf(check(element), panelFile(QStringLiteral("main")), *panel);
+        ASSERT_FALSE(fixes.isEmpty()) << row.before;
+        const Edit back = applyTo(*panel, fixes);
+        const Json fields = panel->find(QStringLiteral("a"))->fields();
+        const Json expected = Json::parse("{" + row.after + "}");
+        for (const auto& [key, value] : expected.items())
+            EXPECT_EQ(fields.at(key).dump(), value.dump()) << row.before;
+        EXPECT_EQ(findings(fields.dump()), "") << row.before;
+        applyTo(*panel, back);
+        EXPECT_EQ(panel->write(), before) << row.before;
+    }
+}
+
+TEST(PropertyCheck, WhatNeedsADecisionHasNoFix) {
+    for (const char* element :
+         {R"("kind":"lamp","blink":"yes")", R"("kind":"lamp","onColor":"#12345")", R"("kind":"gauge","min":"low")",
+          R"("kind":"bar","min":100,"max":0)", R"("kind":"lamp","weather":"b")", R"("kind":"lamp","parent":"g")"})
+        for (const Finding& one : check(std::string(R"({"id":"a","rect":[0,0,40,40],)") + element + "}"))
+            EXPECT_TRUE(one.fix.isEmpty()) << one.text().toStdString();
 }
 
 } // namespace

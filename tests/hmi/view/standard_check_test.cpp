@@ -260,7 +260,7 @@ TEST(StandardCheck, TheSameKeyHasTheSamePlaceOnEveryPanel) {
         project({panelOf(QStringLiteral("one"), home(8)), panelOf(QStringLiteral("two"), home(400))});
     EXPECT_EQ(findings(moved), "H1108 h.rect");
     Panel fixed = moved.panels[1].panel;
-    applyTo(fixed, fixesOf(checkStandardOfAll(moved), QStringLiteral("hmi/two.panel.json")));
+    applyTo(fixed, fixesOf(checkStandardOfAll(moved), QStringLiteral("hmi/two.panel.json"), fixed));
     EXPECT_EQ(fixed.find(QStringLiteral("h"))->rect(), QRectF(8, 500, 120, 48));
 }
 
@@ -336,10 +336,21 @@ TEST(StandardCheck, FixesCorrectWhatTheyAreGivenWith) {
         EXPECT_FALSE(one.why.isEmpty()) << one.text().toStdString();
     }
     const std::string before = input.panels[0].panel.write();
-    const Edit back = applyTo(input.panels[0].panel, fixesOf(found, QStringLiteral("hmi/main.panel.json")));
+    const Edit back =
+        applyTo(input.panels[0].panel, fixesOf(found, QStringLiteral("hmi/main.panel.json"), input.panels[0].panel));
     EXPECT_EQ(findings(input), "");
     applyTo(input.panels[0].panel, back);
     EXPECT_EQ(input.panels[0].panel.write(), before) << "undo of the fixes changes no byte";
+}
+
+TEST(StandardCheck, ColoursThatOnlyDifferInHueBecomeThoseOfTheKind) {
+    CheckInput input = project(
+        {panelOf(QStringLiteral("main"),
+                 R"({"id":"a","kind":"lamp","label":"Pump","value":"M.x","onColor":"#00A000","offColor":"#FF0000"})")});
+    const std::vector<Finding> found = checkStandard(input, input.panels[0]);
+    ASSERT_NE(codes(found).find("H1103 a.onColor"), std::string::npos) << codes(found);
+    applyTo(input.panels[0].panel, fixesOf(found, QStringLiteral("hmi/main.panel.json"), input.panels[0].panel));
+    EXPECT_EQ(findings(input), "");
 }
 
 TEST(StandardCheck, TenThousandElementsInOnePlaceAreCheckedInReasonableTime) {

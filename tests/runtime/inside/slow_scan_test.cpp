@@ -153,6 +153,25 @@ TEST_F(SlowScanTest, GoesToAStatementAndToWhatWroteAPlace) {
     EXPECT_FALSE(scan->goToStatement({FileId(0), 1, 2}));
 }
 
+TEST(SlowScan, ABreakpointIsAtTheFirstStatementOfItsLineInBothDirections) {
+    session::Session session(buildText("PROGRAM Main\nVAR a, b, c : INT; END_VAR\na := a + 1;\nb := a; c := b;\n"
+                                       "a := c;\nEND_PROGRAM"));
+    session.controller().start();
+    for (int n = 0; n < 2; ++n) session.controller().scan();
+    Insight insight(session.history());
+    const auto look = insight.look(1);
+    ASSERT_TRUE(look);
+    SlowScan scan(*look);
+    const auto here = [&] { return std::string(session.program()->sources[FileId(0)].slice(scan.range())); };
+    scan.setBreakpoints({{FileId(0), 4}});
+    ASSERT_TRUE(scan.goOn());
+    EXPECT_EQ(here(), "b := a;");
+    ASSERT_TRUE(scan.goOn());
+    EXPECT_TRUE(scan.isAtEnd()) << "not at c := b;, where a running program does not stop either";
+    ASSERT_TRUE(scan.reverseContinue());
+    EXPECT_EQ(here(), "b := a;");
+}
+
 TEST(SlowScan, EndsAsRecordedInRandomProgramsWhateverWasWrittenAndForced) {
     for (unsigned seed = 200; seed < 210; ++seed) {
         session::Session session(buildText(plc::testing::RandomProgram(seed).text()));
