@@ -109,7 +109,7 @@ constexpr Title kSymbols[] = {
     {"", "heater", QT_TRANSLATE_NOOP("HmiChoices", "Heater")},
     {"", "fan", QT_TRANSLATE_NOOP("HmiChoices", "Fan")},
     {"", "sensor", QT_TRANSLATE_NOOP("HmiChoices", "Sensor")},
-    {"", "lamp", QT_TRANSLATE_NOOP("HmiChoices", "Lamp")},
+    {"", "lamp", QT_TRANSLATE_NOOP("HmiChoices", "Lamp symbol")}, // beside the element of that name
     {"", "siren", QT_TRANSLATE_NOOP("HmiChoices", "Siren")},
     {"", "truck", QT_TRANSLATE_NOOP("HmiChoices", "Lorry")},
     {"", "vehicle", QT_TRANSLATE_NOOP("HmiChoices", "Vehicle")},
