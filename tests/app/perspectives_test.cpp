@@ -86,6 +86,19 @@ TEST_F(PerspectivesTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
     EXPECT_EQ(window->size(), QSize(1024, 700));
 }
 
+TEST_F(PerspectivesTest, RoomThatDocksTakeLateIsGivenBackHoweverLongTheyTake) {
+    window->closeProject();
+    window->resize(1024, 700);
+    ASSERT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }));
+    ASSERT_TRUE(window->openProject(folder.path()));
+    // A dock that needs more than there is, and then does not: as one whose tabs come late on a slow machine.
+    QWidget* inside = window->findChild<QDockWidget*>("panel")->widget();
+    inside->setMinimumWidth(1400);
+    ASSERT_TRUE(waitFor([&] { return window->width() > 1024; }));
+    inside->setMinimumWidth(0);
+    EXPECT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); })) << window->width();
+}
+
 TEST_F(PerspectivesTest, ClickingWithAltPutsOneMoreCaret) {
     const auto at = [&](const char* text) {
         const auto position = static_cast<long>(editor().utf8().find(text));
