@@ -1,5 +1,7 @@
 #include "app/frame/kept_size.h"
 
+#include "editor/kit/post.h"
+
 #include <QEvent>
 #include <QLayout>
 #include <QMainWindow>
@@ -18,11 +20,22 @@ KeptSize::KeptSize(QMainWindow& window, QSize size) : QObject(&window), m_window
     constexpr int kRest = 1000; // ms without a question of the layout
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest);
-    connect(&m_rest, &QTimer::timeout, this, &QObject::deleteLater);
+    connect(&m_rest, &QTimer::timeout, this, &KeptSize::rest);
     window.installEventFilter(this);
     window.layout()->activate();
     giveBack();
     m_rest.start();
+}
+
+/// Not every change of what docks need is heard of: until the window fits, it is tried again.
+void KeptSize::rest() {
+    constexpr int kTries = 30;
+    giveBack();
+    const bool fits = m_window.width() <= m_size.width() && m_window.height() <= m_size.height();
+    if (fits || ++m_tries >= kTries)
+        deleteLater();
+    else
+        m_rest.start();
 }
 
 void KeptSize::giveBack() {
@@ -32,14 +45,14 @@ void KeptSize::giveBack() {
 bool KeptSize::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::LayoutRequest) {
         m_rest.start();
-        QMetaObject::invokeMethod(this, &KeptSize::giveBack, Qt::QueuedConnection); // when it has been answered
+        kit::post(this, [this] { giveBack(); }); // when it has been answered
     }
     if (event->type() == QEvent::Resize) {
         const auto* resized = static_cast<QResizeEvent*>(event);
         if (resized->spontaneous()) // by the user, or an echo of what has just been given back
             m_size = resized->size().boundedTo(m_window.screen()->availableSize().expandedTo(m_size));
         else
-            QMetaObject::invokeMethod(this, &KeptSize::giveBack, Qt::QueuedConnection);
+            kit::post(this, [this] { giveBack(); });
     }
     return QObject::eventFilter(object, event);
 }

@@ -22,10 +22,12 @@ protected:
 private:
     KeptSize(QMainWindow& window, QSize size);
     void giveBack();
+    void rest();
 
     QMainWindow& m_window;
     QSize m_size;
     QTimer m_rest; // since the layout last asked
+    int m_tries = 0;
 };
 
 } // namespace plc::app
