@@ -11,7 +11,10 @@
 namespace plc::app {
 
 void KeptSize::keep(QMainWindow& window, QSize size) {
-    for (KeptSize* before : window.findChildren<KeptSize*>(QString(), Qt::FindDirectChildrenOnly)) delete before;
+    for (KeptSize* before : window.findChildren<KeptSize*>(QString(), Qt::FindDirectChildrenOnly)) {
+        size = size.boundedTo(before->m_size); // what it has not been able to give back yet
+        delete before;
+    }
     if (window.isMaximized() || window.isFullScreen()) return;
     new KeptSize(window, size);
 }
@@ -49,10 +52,14 @@ bool KeptSize::eventFilter(QObject* object, QEvent* event) {
     }
     if (event->type() == QEvent::Resize) {
         const auto* resized = static_cast<QResizeEvent*>(event);
+        const QSize least = m_window.minimumSize();
+        const bool isForced = least.width() > m_size.width() || least.height() > m_size.height();
         if (resized->spontaneous()) // by the user, or an echo of what has just been given back
             m_size = resized->size().boundedTo(m_window.screen()->availableSize().expandedTo(m_size));
-        else
+        else if (isForced)
             kit::post(this, [this] { giveBack(); });
+        else
+            m_size = resized->size(); // on purpose
     }
     return QObject::eventFilter(object, event);
 }
