@@ -1,5 +1,6 @@
 // stepwise: with a command it works without a display, else it opens the studio.
 #include "app/cli/command_line.h"
+#include "app/frame/kept_size.h"
 #include "app/main_window.h"
 #include "app/settings/settings.h"
 #include "app/settings/translation.h"
@@ -11,6 +12,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QScreen>
 #include <QTimer>
 
 #include <algorithm>
@@ -61,6 +63,10 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     auto window = std::make_unique<plc::app::MainWindow>();
     if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window->restoreGeometry(geometry);
     window->show();
+    // All docks at once took more than a small screen has, while the window was made.
+    if (settings.windowGeometry().isEmpty())
+        plc::app::KeptSize::keep(*window,
+                                 QSize(1440, 900).boundedTo(window->screen()->availableSize() - QSize(24, 48)));
     if (!folder.isEmpty()) window->openProject(folder);
     if (!recording.isEmpty()) window->showRecording(recording);
     if (!settings.sawTour()) QTimer::singleShot(400, window.get(), &plc::app::MainWindow::startTour);

@@ -4,6 +4,7 @@
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
 #include "app/frame/status_line.h"
+#include "app/frame/sub_menus.h"
 #include "app/online/device_connections.h"
 #include "app/online/devices_view.h"
 #include "app/online/inside_views.h"
@@ -99,7 +100,7 @@ void MainWindow::build() {
     setDockOptions(
         AllowNestedDocks |
         AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(24, 48))); // with its frame
     m_stack = new QStackedWidget(this);
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
@@ -265,28 +266,29 @@ void MainWindow::makeActions() {
         const QString id = spec.id;
         if (id == "edit.cut" || id == "edit.copy" || id == "edit.paste" || id == "edit.undo" || id == "edit.redo")
             made->setShortcutContext(Qt::WidgetShortcut);
-        menu->addAction(made);
+        QMenu& in = subMenuFor(id, *menu);
+        in.addAction(made);
         addAction(made);
         m_actions << made;
         if (id == "run.openRecording") {
-            auto* runs = new RunsMenu(m_control->archive(), menu);
-            menu->addMenu(runs);
+            auto* runs = new RunsMenu(m_control->archive(), &in);
+            in.addMenu(runs);
             connect(runs, &RunsMenu::runChosen, this, &MainWindow::showRecording);
         }
         if (id == "file.open") m_recentMenu = menu->addMenu(tr("Recent Projects"));
         for (const char* last :
              {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename",
               "edit.previousProblem", "run.stop", "run.scan", "run.breakpoint", "run.resetOrigin", "run.history",
-              "run.releaseAll", "view.values", "view.zoomOut", "view.system"})
+              "run.releaseAll", "view.values", "view.zoomOut"})
             if (id == last) menu->addSeparator();
+        if (id == "view.panelDesign") in.addSeparator();
     }
-    QMenu* view = menus[titleOfMenu("View")];
-    view->addSeparator();
+    QMenu& docks = subMenuOfDocks(*menus[titleOfMenu("View")]);
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
         QAction* toggle = makeToggle(*this, *each);
         toggle->setIcon(each->windowIcon());
         toggle->setShortcut(m_settings.shortcut(toggle->objectName(), {}));
-        view->addAction(toggle);
+        docks.addAction(toggle);
         m_actions << toggle;
     }
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);

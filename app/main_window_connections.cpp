@@ -14,6 +14,7 @@
 #include "app/project/search_view.h"
 #include "app/start/start_page.h"
 #include "editor/debug/debug_views.h"
+#include "editor/debug/fault_moment.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/work_strip.h"
 
@@ -33,6 +34,7 @@ void MainWindow::connectParts() {
     connectRun();
     connectTests();
     connectInside();
+    new editor::FaultMoment(*m_control, this);
     connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
     connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
 }

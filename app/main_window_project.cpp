@@ -1,5 +1,6 @@
 // What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per
 // project.
+#include "app/frame/kept_size.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
 #include "app/frame/speed_choice.h"
@@ -66,22 +67,6 @@ bool MainWindow::openProject(const QString& folder) {
     return true;
 }
 
-namespace {
-/// While the docks are shown one after the other, they need more room than together: the window must not stay that
-/// large, on a small screen it would end outside.
-void keepSize(QMainWindow& window, QSize size) {
-    if (window.isMaximized() || window.isFullScreen()) return;
-    window.layout()->activate();
-    window.resize(size);
-    // Some of the room is given back by events that are still to come, those of the docks' tabs: once more behind them.
-    constexpr int kSettled = 100; // ms
-    QTimer::singleShot(kSettled, &window, [&window, size] {
-        if (window.isMaximized() || window.isFullScreen()) return;
-        window.resize(window.size().boundedTo(size));
-    });
-}
-} // namespace
-
 void MainWindow::showProject() {
     const QSize before = size();
     setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
@@ -90,7 +75,7 @@ void MainWindow::showProject() {
     m_guide->showProject(m_workspace->folder());
     restoreProjectState();
     findChild<QToolBar*>("timeToolBar")->show();
-    keepSize(*this, before);
+    KeptSize::keep(*this, before);
 }
 
 void MainWindow::closeProject() {
@@ -241,7 +226,7 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
     if (!openProject(copy)) return false;
     if (isNew) {
         arrangeForExample();
-        keepSize(*this, before);
+        KeptSize::keep(*this, before);
     }
     say(isNew ? tr("This is a copy of the example, in %1: change what you like").arg(copy)
               : tr("This is your copy of the example, in %1").arg(copy));

@@ -16,7 +16,7 @@ QStringList Perspectives::docksOf(Perspective perspective) {
     case Perspective::Debugging:
         return {"project", "watch", "forces", "callPath", "breakpoints", "trace", "why", "log", "tasks"};
     case Perspective::PanelDesign:
-        return {"project", "problems"};
+        return {"project"}; // what is wrong with a panel is listed below it
     }
     return {};
 }

@@ -191,7 +191,8 @@ std::vector<StEditor*> EditorTabs::editors() const {
 void EditorTabs::connectEditor(StEditor* editor) {
     editor->setSettings(m_settings.editor());
     editor->setModel(m_workspace.model());
-    editor->setOnlineValues(m_marks->values());
+    // A test runs on a controller of its own: values of the one that runs say nothing beside its statements.
+    if (!editor::Workspace::isTestFile(editor->file())) editor->setOnlineValues(m_marks->values());
     editor->setPathOf([this](const QString& name, const QString& pou) { return m_marks->pathOf(name, pou); });
     connect(editor, &StEditor::writeRequested, this,
             [this](const QString& name, const QString& pou) { m_marks->askForValue(name, pou, false); });

@@ -6,6 +6,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/workspace/path_completion.h"
 #include "hmi/alarms/alarm_export.h"
+#include "hmi/texts/language_tags.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 
@@ -155,6 +156,8 @@ void LiveViews::makePlayer() {
     if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
     m_player->liveAlarms().setRun(m_run);
     keepAlarms();
+    m_player->setLanguage(
+        hmi::closestTag(m_panels->texts.settings().languages, QLocale())); // until somebody chooses one
     m_player->keepLanguageInProject();
     connectPlayer();
     showInPanel();

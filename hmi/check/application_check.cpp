@@ -1,6 +1,7 @@
 #include "hmi/check/application_check.h"
 
 #include "hmi/model/errors.h"
+#include "hmi/texts/language_tags.h"
 
 #include <algorithm>
 
@@ -35,6 +36,12 @@ std::vector<Finding> checkApplication(const CheckInput& input) {
             add(FindingKind::WrongFrame, QStringLiteral("hmi/%1.panel.json").arg(input.frame), {},
                 errors::FrameWithoutArea(toUtf8(input.frame)));
     }
+    const LanguageSettings& own = input.texts.settings();
+    for (const auto& [property, tags] : {std::pair("languages", own.languages), std::pair("fallback", own.fallback)})
+        for (const QString& tag : tags)
+            if (!isLanguageTag(tag))
+                add(FindingKind::UnknownLanguage, QStringLiteral("project.json"), QLatin1String(property),
+                    errors::LanguageUnknown(toUtf8(tag), Verbatim("de"), Verbatim("pt-BR")));
     for (const Properties& alarm : input.alarms.rows())
         if (const QString show = alarm.text("show"); !show.isEmpty() && !find(input, show))
             add(FindingKind::UnknownPanel, QStringLiteral("hmi/alarms.json"),

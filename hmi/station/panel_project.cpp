@@ -187,6 +187,21 @@ Result<void> chooseTheme(PanelProject& project, const std::string& name) {
     return {};
 }
 
+namespace {
+
+/// Lists of project.json that are none: what they were meant to say would be missing without a word.
+std::vector<Error> misreadFields(const projects::Project& project) {
+    std::vector<Error> out;
+    const auto hmi = project.json.find("hmi");
+    if (hmi == project.json.end() || !hmi->is_object()) return out;
+    for (const char* field : {"languages", "fallback"})
+        if (const auto found = hmi->find(field); found != hmi->end() && !found->is_array())
+            out.push_back({errors::MustBeList(Verbatim(field)), "project.json"});
+    return out;
+}
+
+} // namespace
+
 PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
@@ -200,6 +215,7 @@ PanelProject loadPanelProject(const projects::Project& project) {
             out.frame = QString::fromStdString(frame->get<std::string>());
     }
     out.startPanel = QString::fromStdString(project.startPanel);
+    out.problems = misreadFields(project);
     TextTable empty;
     for (const QString& tag : settings.languages) empty.addLanguage(tag);
     out.texts = TextCatalog(std::move(empty), std::move(settings));
@@ -210,6 +226,8 @@ PanelProject loadPanelProject(const projects::Project& project) {
     out.readThemes();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
+    if (!out.startPanel.isEmpty() && !out.find(out.startPanel))
+        out.problems.push_back({errors::NoPanel(toUtf8(out.startPanel)), "project.json"});
     out.startPanel = out.startOrFirst();
     return out;
 }

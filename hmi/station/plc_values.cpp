@@ -218,7 +218,12 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
 }
 
 Freshness PlcValues::freshness() const {
-    if (isPast()) return Freshness::Past;
+    if (isPast()) {
+        // The scan in which the controller has faulted: the operator reads why it stands still.
+        const bool isFault = m_run && m_run->isLive() && m_status.state == controller::State::Fault && m_status.fault &&
+                             m_pastStamp && m_pastStamp->scan == m_status.fault->scan;
+        return isFault ? Freshness::Fault : Freshness::Past;
+    }
     if (!m_run) return Freshness::Disconnected;
     switch (m_status.state) {
     case controller::State::Stopped:

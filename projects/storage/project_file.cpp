@@ -1,7 +1,7 @@
 #include "projects/storage/project_file.h"
 
+#include "projects/storage/errors.h"
 #include "projects/storage/leftovers.h"
-#include "runtime/base/messages.h"
 #include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
 #include "runtime/platform/files.h"
@@ -158,6 +158,10 @@ std::vector<std::string> readCompanions(const std::string& folder) {
 
 namespace {
 
+bool isListOfNames(const Json& json) {
+    return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& each) { return each.is_string(); });
+}
+
 /// How sources are read, and what decides where things are in the image.
 Result<void> readSourceSettings(Project& project, const std::string& file) {
     const std::string addressing = stringField(project.json, "addressing", "byte");
@@ -166,6 +170,9 @@ Result<void> readSourceSettings(Project& project, const std::string& file) {
         if (const auto encoding = parseCodePage(stringField(project.json, "encoding")); !encoding)
             return Error{encoding.error().message, file};
     project.addressing = addressing == "word" ? image::Addressing::Words : image::Addressing::Bytes;
+    for (const char* field : {"libraries", "defines"})
+        if (project.json.contains(field) && !isListOfNames(project.json[field]))
+            return Error{errors::NotAListOfNames(Verbatim(field)), file};
     if (!project.json.contains("memoryForNew")) return {};
     const Json& memory = project.json["memoryForNew"];
     if (!memory.is_number_unsigned() || memory.get<uint64_t>() > driver::kMostMemoryForNew)

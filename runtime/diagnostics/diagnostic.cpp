@@ -91,6 +91,22 @@ static std::string placeOf(const SourceSet& sources, SourceRange range) {
     return sources[range.file].path() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
 }
 
+namespace {
+
+/// A line for a terminal: without the control characters of a file that is no text, and not as long as it may be.
+std::string shownLine(std::string_view line) {
+    constexpr size_t kLongest = 1000;
+    size_t end = std::min(line.size(), kLongest);
+    while (end < line.size() && end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
+    std::string out(line.substr(0, end));
+    for (char& each : out)
+        if (const auto byte = static_cast<unsigned char>(each); (byte < 0x20 && each != '\t') || byte == 0x7F)
+            each = '?';
+    return out;
+}
+
+} // namespace
+
 std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colours) {
     const auto colour = [&](std::string_view code) { return colours ? std::string(code) : std::string(); };
     const std::string_view tint = d.severity == Severity::Error     ? "\033[1;31m"
@@ -102,7 +118,7 @@ std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colou
     const SourceText& file = sources[d.range.file];
     const LineColumn at = file.lineColumn(d.range.begin);
     std::string out = file.path() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": " + head;
-    const std::string line(file.line(at.line));
+    const std::string line = shownLine(file.line(at.line));
     const std::string number = std::to_string(at.line);
     out += "  " + number + " | " + line + "\n  " + std::string(number.size(), ' ') + " | ";
     const uint32_t lineBegin = file.lineBegin(at.line);

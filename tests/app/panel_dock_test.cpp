@@ -1,6 +1,7 @@
 // The operator panel in the studio's dock: its alarm history outlives the window, and a recording from a file is the
 // past of the panel, too.
 #include "app/panels/live_views.h"
+#include "app/settings/translation.h"
 #include "hmi/player/panel_player.h"
 #include "tests/app/studio_fixture.h"
 
@@ -41,6 +42,21 @@ class PanelDockReadOnlyTest : public PanelDockTest {
 protected:
     PanelDockReadOnlyTest() { blocked = ".stepwise"; }
 };
+
+TEST_F(PanelDockTest, ThePanelSpeaksTheStudiosLanguageUntilAnotherIsChosen) {
+    write("project.json",
+          "{\n  \"name\": \"Test\",\n  \"libraries\": [],\n  \"hmi\": {\"languages\": [\"en\", \"de\", \"fr\"]}\n}\n");
+    installTranslation(*qApp, "de");
+    const auto openedAgain = [&] {
+        window->closeProject();
+        EXPECT_TRUE(window->openProject(folder.path()));
+        return player().language().toStdString();
+    };
+    EXPECT_EQ(openedAgain(), "de");
+    emit player().scene().languageRequested(QStringLiteral("fr"));
+    EXPECT_EQ(openedAgain(), "fr") << "remembered";
+    installTranslation(*qApp, "en");
+}
 
 TEST_F(PanelDockTest, TheAlarmHistoryOutlivesTheWindow) {
     ASSERT_NE(window->live().player(), nullptr);

@@ -65,8 +65,7 @@ TEST_F(PerspectivesTest, DrawingPanelsHasTheRoomOnASmallScreen) {
     QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().pageByKey("panel:overview"));
     ASSERT_NE(designer, nullptr);
-    EXPECT_TRUE(waitFor([&] { return designer->canvas().height() > 280; })) << designer->canvas().height();
-    EXPECT_LT(window->dock("problems")->height(), 200);
+    EXPECT_TRUE(waitFor([&] { return designer->canvas().height() > 380; })) << designer->canvas().height();
 }
 
 TEST_F(PerspectivesTest, TheWindowFitsIntoASmallScreen) {
@@ -84,6 +83,19 @@ TEST_F(PerspectivesTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
     ASSERT_TRUE(window->openProject(folder.path()));
     settle(); // what the docks have posted
     EXPECT_EQ(window->size(), QSize(1024, 700));
+}
+
+TEST_F(PerspectivesTest, RoomThatDocksTakeLateIsGivenBackHoweverLongTheyTake) {
+    window->closeProject();
+    window->resize(1024, 700);
+    ASSERT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }));
+    ASSERT_TRUE(window->openProject(folder.path()));
+    // A dock that needs more than there is, and then does not: as one whose tabs come late on a slow machine.
+    QWidget* inside = window->findChild<QDockWidget*>("panel")->widget();
+    inside->setMinimumWidth(1400);
+    ASSERT_TRUE(waitFor([&] { return window->width() > 1024; }));
+    inside->setMinimumWidth(0);
+    EXPECT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); })) << window->width();
 }
 
 TEST_F(PerspectivesTest, ClickingWithAltPutsOneMoreCaret) {

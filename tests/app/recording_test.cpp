@@ -110,6 +110,17 @@ TEST_F(EarlierRunsTest, ClosingTheProjectWhileItRunsKeepsTheRun) {
     EXPECT_GT(window->control().value("Main.counter").text.toInt(), 10);
 }
 
+TEST_F(EarlierRunsTest, AnotherProjectWhileItRunsKeepsTheRun) {
+    ASSERT_TRUE(hasRun([&] { return window->control().status().scans > 10; }));
+    QTemporaryDir other;
+    ASSERT_TRUE(QFile::copy(folder.path() + "/project.json", other.path() + "/project.json"));
+    ASSERT_TRUE(window->openProject(other.path())); // as New Project does with the folder that it has made
+    ASSERT_TRUE(window->openProject(folder.path()));
+    ASSERT_TRUE(isKept(1));
+    offered().first()->trigger();
+    EXPECT_GT(window->control().value("Main.counter").text.toInt(), 10);
+}
+
 TEST_F(EarlierRunsTest, ClosingTheWindowWaitsUntilTheRunIsOnDisk) {
     ASSERT_TRUE(hasRun([&] { return window->control().status().scans > 10; }));
     window->close();

@@ -164,6 +164,23 @@ TEST_F(SourcePagesTest, ARenameFromATestReachesTheProgramAndOneUndoTakesItBack) 
     EXPECT_EQ(text("src/motor.st"), motor);
 }
 
+TEST_F(SourcePagesTest, ATestShowsNoValuesOfTheControllerThatRuns) {
+    replace("tests/line.st", "Line.drive.turns > i", "Main.counter > i");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 3; }, 60'000));
+    StEditor& program = open("src/main.st");
+    ASSERT_TRUE(waitFor([&] {
+        program.refreshOnlineValues();
+        return !program.shownValues().empty();
+    }));
+    StEditor& test = open("tests/line.st");
+    test.goTo(place("tests/line.st", "ASSERT"));
+    const uint64_t now = window->control().status().scans;
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > now + 20; })) << "it goes on";
+    test.refreshOnlineValues();
+    EXPECT_TRUE(test.shownValues().empty()) << "it runs on a controller of its own";
+}
+
 TEST_F(SourcePagesTest, FindingWorksInALibrary) {
     window->tabs().goTo("library/standard/timers.st", 0);
     const auto model = window->workspace().presentModel();

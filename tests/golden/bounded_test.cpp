@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <functional>
 #include <thread>
 
@@ -184,6 +185,47 @@ TEST(Bounded, InitialValuesEndWhereNobodyCanStopThem) {
     const controller::Controller controller(made.program);
     ASSERT_TRUE(controller.fault());
     EXPECT_EQ(controller.fault()->code, FaultCode::Watchdog);
+}
+
+// ---------------------------------------------------------------- building
+
+/// Processor time, so that what else the machine does is not measured.
+double secondsToBuild(const std::string& text) {
+    const std::clock_t begin = std::clock();
+    const driver::Built made = built(text);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    EXPECT_TRUE(made.program) << refusal(text).substr(0, 300);
+    return seconds;
+}
+
+TEST(Bounded, LongProgramsAreBuiltInSecondsThatGrowAsTheyDo) {
+    const auto inMain = [](const std::string& statements) {
+        return "PROGRAM Main\nVAR a, b : DINT; END_VAR\n" + statements + "END_PROGRAM\n";
+    };
+    const auto labels = [&](int count) {
+        return inMain("CASE a OF\n" + repeated(count, [](int i) { return std::to_string(i) + ": b := b + 1;\n"; }) +
+                      "END_CASE\n");
+    };
+    const auto branches = [&](int count) {
+        return inMain("IF a = -1 THEN b := 1;\n" +
+                      repeated(count, [](int i) { return "ELSIF a = " + std::to_string(i) + " THEN b := b + 1;\n"; }) +
+                      "END_IF\n");
+    };
+    const auto calls = [&](int count) {
+        return chain(count, "VAR_INPUT q : DINT; END_VAR\n", "q", "q") + inMain("a := F249(a);\n");
+    };
+    struct Row {
+        const char* name;
+        std::function<std::string(int)> text;
+        int size; // of the one that was reported
+    };
+    for (const Row& row : {Row{"labels of a CASE", labels, 8'000}, Row{"ELSIF", branches, 100'000},
+                           Row{"functions in a chain", calls, 20'000}}) {
+        const double quarter = secondsToBuild(row.text(row.size / 4)), whole = secondsToBuild(row.text(row.size));
+        RecordProperty(row.name, std::to_string(whole));
+        EXPECT_LT(whole, 6 * quarter + 0.3)
+            << row.name << ": " << quarter << " s, four times as many " << whole << " s";
+    }
 }
 
 // ---------------------------------------------------------------- leaving a scan

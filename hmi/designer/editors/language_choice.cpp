@@ -2,8 +2,11 @@
 
 #include "hmi/texts/language.h"
 
+#include <QComboBox>
+#include <QCompleter>
 #include <QCoreApplication>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMap>
 #include <QMessageBox>
@@ -71,10 +74,20 @@ QString askForLanguage(const QStringList& taken, QWidget* parent) {
     const QString title = QCoreApplication::translate("plc::hmi::TextEditor", "Add a language");
     const QString label = QCoreApplication::translate("plc::hmi::TextEditor", "Language tag, for example de or zh-CN");
     const QStringList all = languagesToChoose();
-    bool isAccepted = false;
-    const QString typed = QInputDialog::getItem(
-        parent, title, label, all, static_cast<int>(all.indexOf(QStringLiteral("Deutsch (de)"))), true, &isAccepted);
-    if (!isAccepted || typed.trimmed().isEmpty()) return {};
+    QInputDialog dialog(parent);
+    dialog.setWindowTitle(title);
+    dialog.setLabelText(label);
+    dialog.setComboBoxItems(all);
+    dialog.setComboBoxEditable(true);
+    dialog.setTextValue(QStringLiteral("Deutsch (de)"));
+    // A list below the field: a name completed in it would take the first Enter, and the place of a tag that is typed.
+    auto* choice = dialog.findChild<QComboBox*>();
+    choice->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    choice->completer()->setFilterMode(Qt::MatchContains);
+    QObject::connect(choice->lineEdit(), &QLineEdit::returnPressed, &dialog, &QDialog::accept);
+    choice->lineEdit()->selectAll();
+    if (dialog.exec() != QDialog::Accepted || choice->currentText().trimmed().isEmpty()) return {};
+    const QString typed = choice->currentText();
     const QString tag = languageTagOf(typed);
     if (!tag.isEmpty() && !taken.contains(tag)) return tag;
     QMessageBox::warning(parent, title, whyNot(typed, tag));

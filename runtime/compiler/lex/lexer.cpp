@@ -21,11 +21,25 @@ int digitValue(char c) {
     return isAsciiLetter(c) ? detail::upper(c) - 'A' + 10 : 99;
 }
 
+/// Control characters are more than one byte in 32 of its beginning: in texts they are a slip, in other files every
+/// tenth byte is one.
+bool isBinary(std::string_view text) {
+    constexpr size_t kBeginning = 8192, kSlips = 8;
+    text = text.substr(0, kBeginning);
+    const auto isControl = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 && (byte < '\t' || byte > '\r') && byte != 0x1A; // old editors end a file with 1A
+    };
+    const auto controls = static_cast<size_t>(std::count_if(text.begin(), text.end(), isControl));
+    return controls > kSlips && controls * 32 > text.size();
+}
+
 class Lexer {
 public:
     Lexer(FileId file, std::string_view text, diagnostics::Sink& sink) : m_file(file), m_text(text), m_sink(sink) {}
 
     TokenList run() {
+        if (isBinary(m_text)) return nothingToRead();
         m_list.tokens.reserve(m_text.size() / 4 + 16);
         if (m_text.starts_with("\xEF\xBB\xBF")) m_at = 3;
         return readOn();
@@ -44,6 +58,13 @@ public:
     }
 
 private:
+    /// One message, and one token that means nothing: a picture or an archive has thousands of mistakes.
+    TokenList nothingToRead() {
+        emit(0, 0, findings::InvalidUtf8());
+        push(TokenKind::Error, 0, m_text.size());
+        push(TokenKind::EndOfFile, m_text.size(), m_text.size());
+        return std::move(m_list);
+    }
     TokenList readOn() {
         if (const auto bad = firstInvalidUtf8(m_text.substr(m_at)))
             emit(m_at + *bad, m_at + *bad + 1, findings::InvalidUtf8());

@@ -1,6 +1,7 @@
 // `stepwise run`: the CSV on the standard output, into a pipe and on a full disk; Ctrl+C while it waits; the exit
 // codes.
 #include "tests/app/cli/command_fixture.h"
+#include "tests/support/long_scans.h"
 
 #include <gtest/gtest.h>
 
@@ -114,6 +115,33 @@ TEST_F(RunCommand, CtrlCEndsAWaitAtOnceAndStillReports) {
         std::_Exit(isFast && isTold ? 40 + code : 99);
     };
     EXPECT_EXIT(interrupted(), testing::ExitedWithCode(40), "");
+}
+
+TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    for (const LongScan& scan : longScans()) {
+        write("long.st", scan.text);
+        const auto interrupted = [&] {
+            std::chrono::steady_clock::time_point pressed;
+            std::thread presser([&pressed] {
+                struct sigaction now {};
+                do {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // a duration: between two looks
+                    ::sigaction(SIGINT, nullptr, &now);
+                } while (now.sa_handler == SIG_DFL);
+                // a duration: that the scan has begun cannot be seen from outside
+                std::this_thread::sleep_for(std::chrono::milliseconds(500));
+                pressed = std::chrono::steady_clock::now();
+                ::kill(::getpid(), SIGINT);
+            });
+            const int code = run({path("long.st"), "--for", "10m", "--real"});
+            presser.join();
+            // half a second, on a machine of one's own
+            const bool isFast = std::chrono::steady_clock::now() - pressed < std::chrono::seconds(3);
+            std::_Exit(isFast ? 40 + code : 99);
+        };
+        EXPECT_EXIT(interrupted(), testing::ExitedWithCode(40), "") << scan.name;
+    }
 }
 
 TEST_F(RunCommand, ExitCodesTellWhoseMistakeItWas) {

@@ -110,6 +110,15 @@ TEST_F(RunValues, GlobalsOfANamespaceAreAmongTheValues) {
     EXPECT_NE(out.find("\"Plant.space.level\":3"), std::string::npos) << out;
 }
 
+TEST_F(RunValues, AnArrayOfTwoHundredMegabytesIsNotPrinted) {
+    write("huge.st", "PROGRAM Main\nVAR t : ARRAY[0..200000000] OF BYTE; n : INT := 3; END_VAR\nt[5] := 1;\n"
+                     "n := n;\nEND_PROGRAM\n");
+    EXPECT_EQ(command({"run", path("huge.st"), "--scans", "1"}), 0) << err;
+    EXPECT_LT(out.size(), 10'000u);
+    EXPECT_NE(out.find("too many to show"), std::string::npos) << out.substr(0, 2000);
+    EXPECT_NE(out.find("Main.n  3"), std::string::npos) << out.substr(0, 2000);
+}
+
 TEST_F(RunValues, AFileNamedTwiceIsOneFile) {
     fs::create_symlink("main.st", path("link.st"));
     EXPECT_EQ(command({"check", path("main.st"), path("main.st"), path("link.st")}), 0) << err;

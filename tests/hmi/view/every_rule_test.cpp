@@ -153,7 +153,17 @@ std::vector<Row> findingRows() {
             t.input.hasAlarms = true;
         };
     };
+    const auto speaking = [](const char* tag) {
+        return [=](Tried& t) {
+            LanguageSettings settings;
+            settings.languages = QStringList{QStringLiteral("en"), QString::fromLatin1(tag)};
+            t.panel("").input.texts = TextCatalog(TextTable(), settings);
+        };
+    };
     return {
+        {16, speaking("sr-Latn"), speaking("xx,yy")},
+        {16, speaking("ar-u-nu-latn"), speaking("german")},
+        {16, speaking("qps-ploc"), speaking("xx")},
         {1, texts(label, "k,,Hello,Hallo\n"), texts(label, "")},
         {2, texts(label, "k,,Hello,Hallo\n"), texts(label, "k,,Hello,\n")},
         {3, texts(label, "k,,Hello,Hallo\n"), texts(R"("kind":"lamp")", "k,,Hello,Hallo\n")},

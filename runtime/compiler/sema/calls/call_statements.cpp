@@ -154,6 +154,9 @@ public:
     InstanceCall(Context& context, tree::Place* instance, Unit& unit, const syntax::Expr& e)
         : m_context(context), m_instance(instance), m_unit(unit), m_e(e) {}
 
+    /// The instance, once and before the arguments: blocks[Next()](x := Next());
+    void choose() { holdPlace(m_context, m_instance, *m_e.base, m_inputs); }
+
     void pass(const Match& match) {
         Variable& parameter = *match.parameter;
         const syntax::Argument* argument = match.argument && match.argument->value ? match.argument : nullptr;
@@ -315,6 +318,7 @@ void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syn
     if (!matched.isGood) return lookAtArguments(context, matched);
     InstanceCall call(context, instance, unit, e);
     call.begin(range);
+    call.choose();
     for (const Match& each : matched.matches) call.pass(each);
     tree::Stmt* block = call.block(callee, range);
     out.push_back(matched.en || matched.eno ? withEnable(context, matched, block, e.range, range) : block);

@@ -168,6 +168,16 @@ tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& 
     return load(context, place, value->range).expr;
 }
 
+void holdPlace(Context& context, tree::Place* place, const syntax::Expr& text, std::vector<tree::Stmt*>& before) {
+    if (!context.function || !containsCall(text)) return;
+    std::vector<tree::Place*> path; // from the variable on, as it is read
+    for (; place; place = place->base) path.insert(path.begin(), place);
+    for (tree::Place* each : path) {
+        for (tree::Expr*& index : each->indices) index = held(context, index, before);
+        if (each->pointer) each->pointer = held(context, each->pointer, before);
+    }
+}
+
 // What an input has when a call leaves it out (2.5.1.1).
 tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) {
     const TypeId type = typeOf(context, parameter);
@@ -241,6 +251,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
             takeAddress(context, place);
             return place;
         }
+        holdPlace(context, place, *argument.value, before);
         tree::Place* copy = held(load(context, place, range)); // shorter than the parameter: in and out by copy
         if (!isConstant) after.push_back(assignStmt(context, place, load(context, copy, range).expr, {}));
         return copy;
@@ -261,6 +272,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
     }
     if (!same) return refuse();
     if (!hasAddress(place)) { // a bit: in and out by copy
+        holdPlace(context, place, *argument.value, before);
         tree::Place* copy = held(load(context, place, range));
         if (!isConstant) after.push_back(assignStmt(context, place, load(context, copy, range).expr, {}));
         return copy;

@@ -8,6 +8,8 @@ namespace plc::sema {
 Matched match(Context& context, const syntax::Expr& call, const std::string& name,
               const std::vector<Variable*>& parameters);
 tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& before);
+/// Indices and pointers of a place that is used several times, held where the text calls something to find it.
+void holdPlace(Context& context, tree::Place* place, const syntax::Expr& text, std::vector<tree::Stmt*>& before);
 tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Argument& argument,
                          std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after);
 void prepareCall(Context& context, tree::Call& call, const Denoted& callee, SourceRange range);

@@ -36,8 +36,6 @@ static Operand signatureCall(Context& context, const library::Signature& signatu
 static std::vector<tree::Stmt*> holdAsWritten(Context& context, std::vector<Operand>& operands,
                                               const std::vector<const syntax::Argument*>& inputs);
 
-namespace {
-/// Bounded by the height of the expression, which the parser limits.
 // Asked of the text, not of the tree: in the tree an intrinsic is no call any more.
 bool containsCall(const syntax::Expr& e) {
     if (e.kind == syntax::ExprKind::Call) return true;
@@ -45,7 +43,6 @@ bool containsCall(const syntax::Expr& e) {
     return (e.base && containsCall(*e.base)) || (e.right && containsCall(*e.right)) ||
            std::any_of(e.arguments.begin(), e.arguments.end(), inArgument);
 }
-} // namespace
 
 Operand standardCall(Context& context, std::string_view name, const syntax::Expr& e, TypeId hint) {
     // Signatures first: a function of the table may be named as a conversion would be.

@@ -6,6 +6,8 @@
 namespace plc::sema {
 
 Operand standardCall(Context& context, std::string_view name, const syntax::Expr& e, TypeId hint);
+/// The text of an expression calls something. Bounded by its height, which the parser limits.
+[[nodiscard]] bool containsCall(const syntax::Expr& e);
 StandardArguments standardArguments(Context& context, const library::Signature& signature, const syntax::Expr& e);
 
 } // namespace plc::sema

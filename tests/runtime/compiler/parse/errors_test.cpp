@@ -97,6 +97,16 @@ TEST(SyntaxErrors, TwentyMistakesGiveAboutTwentyMessages) {
     EXPECT_EQ(parsed.errors(), 20u) << parsed.codes();
 }
 
+TEST(SyntaxErrors, AFileThatIsNoTextIsOneMessage) {
+    std::string picture = "\x89PNG\r\n\x1A\n";
+    for (int i = 0; i < 20'000; ++i) picture += static_cast<char>((i * 7919 + i / 13) % 251);
+    EXPECT_EQ(Parsed(picture).codes(), "P1004@1:1");
+    EXPECT_EQ(Parsed(std::string(100, '\0')).codes(), "P1004@1:1");
+    // A slip of the keyboard is only itself.
+    EXPECT_EQ(Parsed("PROGRAM p\na := 1;\x01\nEND_PROGRAM").codes(), "P1001@2:8");
+    EXPECT_EQ(Parsed("PROGRAM p\nEND_PROGRAM\n\x1A").errors(), 1u);
+}
+
 TEST(SyntaxErrors, OfferAFixThatMends) {
     for (const char* text :
          {"PROGRAM p\na := 1\nb := 2;\nEND_PROGRAM", "PROGRAM p\ny = ln(x);\nEND_PROGRAM",

@@ -1,0 +1,54 @@
+// A scan that would take years is left at once, however one leaves it: by the key for Stop, by closing the project, by
+// closing the window.
+#include "tests/app/studio_fixture.h"
+#include "tests/support/long_scans.h"
+
+#include <QAction>
+
+namespace plc::app {
+namespace {
+
+class LongScanTest : public StudioTest, public ::testing::WithParamInterface<size_t> {
+protected:
+    /// In the middle of its first scan.
+    void SetUp() override {
+        StudioTest::SetUp();
+        window->workspace().setText("src/main.st", longScans()[GetParam()].text);
+        ASSERT_TRUE(window->workspace().save("src/main.st"));
+        analysed();
+        QTest::keyClick(window.get(), Qt::Key_F5);
+        ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Running; }, 60'000));
+        QTest::qWait(300); // a duration: of the scan; that it has begun cannot be seen before it ends
+        ASSERT_EQ(window->control().status().scans, 0u);
+        m_since.start();
+    }
+    /// Half a second, on a machine of one's own, with what else closing does; the scan itself takes years.
+    void expectAtOnce() { EXPECT_LT(m_since.elapsed(), 10'000); }
+
+    QElapsedTimer m_since;
+};
+
+TEST_P(LongScanTest, StopEndsIt) {
+    QTest::keyClick(window.get(), Qt::Key_F8, Qt::ShiftModifier);
+    EXPECT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Stopped; }));
+    expectAtOnce();
+}
+
+TEST_P(LongScanTest, ClosingTheProjectEndsIt) {
+    QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(window->workspace().isOpen());
+    EXPECT_EQ(window->control().session(), nullptr);
+    expectAtOnce();
+}
+
+TEST_P(LongScanTest, ClosingTheWindowEndsIt) {
+    EXPECT_TRUE(window->close());
+    EXPECT_EQ(window->control().session(), nullptr);
+    expectAtOnce();
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, LongScanTest, ::testing::Values(0, 1, 2),
+                         [](const auto& info) { return std::string(longScans()[info.param].name); });
+
+} // namespace
+} // namespace plc::app
