@@ -146,18 +146,20 @@ private:
             text = "{gvl " + name + "}\n" + text;
             m_list.clear();
         }
-        if (m_isDrawn && readDrawn(kind, name, text)) {
+        const bool isOfUnit = kind == PieceKind::Action && !m_out.files.empty(); // of the one before it
+        const std::string path = isOfUnit ? m_out.files.back().name + "." + name : name;
+        if (m_isDrawn && readDrawn(kind, path, text)) {
             ++m_out.report.bodies[languageDrawn()];
         } else if (m_isDrawn) {
-            m_out.report.add(m_place, remarks::ArchiveBody(name));
-            m_out.side["units"][name]["archive"] = m_drawn;
+            m_out.report.add(m_place, remarks::ArchiveBody(path));
+            m_out.side["units"][path]["archive"] = m_drawn;
             ++m_out.report.bodies[languageDrawn()];
         } else if (kind != PieceKind::Globals && kind != PieceKind::Type) {
             ++m_out.report.bodies["ST/IL"];
         }
         m_isDrawn = false;
         m_drawn.clear();
-        if (kind == PieceKind::Action && !m_out.files.empty()) { // belongs to the unit before it
+        if (isOfUnit) {
             m_out.files.back().text += "\n" + text + "\n";
             return;
         }
@@ -174,7 +176,9 @@ private:
 
     /// The diagram of a unit as its text. False: it has something that is not known here.
     bool readDrawn(PieceKind kind, const std::string& name, std::string& text) {
-        if (kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock) return false;
+        const bool isAction = kind == PieceKind::Action && !m_out.files.empty();
+        if (!isAction && kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock)
+            return false;
         pugi::xml_document diagram;
         const auto pins = [this](const std::string& type) { return pinsOf(type); };
         if (m_drawn.starts_with("_CFC") ? !readCodesys2Cfc(m_drawn, pins, diagram)
@@ -184,13 +188,38 @@ private:
         if (!lines) return false;
         Piece piece;
         piece.kind = kind;
-        piece.name = name;
-        piece.declaration = text.substr(0, text.rfind('\n') + 1); // without END_…
-        piece.body = diagramText(diagram.document_element(), *lines, name, piece, m_out);
+        piece.name = name.substr(name.rfind('.') + 1);
+        if (isAction) {
+            piece.body = actionText(diagram.document_element(), *lines, name);
+        } else {
+            piece.declaration = text.substr(0, text.rfind('\n') + 1); // without END_…
+            piece.body = diagramText(diagram.document_element(), *lines, name, piece, m_out);
+        }
         text = trimmedLines(assemble(piece));
         m_out.side["units"][name]["archive"] = m_drawn;
         m_out.report.add(m_place, remarks::BodyConverted(name));
         return true;
+    }
+
+    /// The statements of an action; the variables that they need are declared with those of its unit.
+    std::string actionText(pugi::xml_node diagram, const XmlFile& lines, const std::string& name) {
+        std::string& unit = m_out.files.back().text;
+        size_t end = 0; // of the declarations: behind the last END_VAR line
+        for (size_t at = 0; at < unit.size();) {
+            const size_t next = std::min(unit.find('\n', at), unit.size() - 1) + 1;
+            const std::string word = firstWord(std::string_view(unit).substr(at, next - at));
+            if (word == "END_VAR") end = next;
+            if (end == 0 && endsUnit(word)) break;
+            at = next;
+        }
+        if (end == 0) end = unit.find('\n') + 1; // behind the line with its name
+        Piece owner;
+        owner.kind = kindOfDeclaration(unit);
+        owner.name = m_out.files.back().name;
+        owner.declaration = unit.substr(0, end);
+        std::string statements = diagramText(diagram, lines, name, owner, m_out);
+        unit.replace(0, end, owner.declaration);
+        return statements;
     }
 
     /// Of the standard, of this file, or of the files before it.
