@@ -5,6 +5,7 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 #include "runtime/diagnostics/diagnostic.h"
+#include "runtime/library/sources.h"
 
 #include <algorithm>
 #include <optional>
@@ -182,13 +183,25 @@ std::optional<std::string> twinCatType(std::string_view name) {
     return std::nullopt;
 }
 
-/// Names that stand for a type, behind `:`, OF or TO, and names that are declared, before `:`.
-void gather(std::string_view text, std::map<std::string, std::string>& used, std::set<std::string>& declared,
-            std::map<std::string, std::string>& called) {
+/// Folded names of a project and how they are written.
+struct NamesInUse {
+    std::map<std::string, std::string> types;  // behind `:`, OF or TO
+    std::map<std::string, std::string> called; // in front of a parenthesis
+    std::set<std::string> declared;            // in front of `:`, and units
+    std::set<std::string> units;               // without the variables: what can be a type
+};
+
+void gather(std::string_view text, NamesInUse& names) {
+    auto& [used, called, declared, units] = names;
     diagnostics::Sink sink;
     const lex::TokenList list = lex::tokenize(FileId(0), text, sink);
+    bool isInVariables = false;
     for (size_t i = 1; i < list.tokens.size(); ++i) {
         const lex::Token& token = list.tokens[i];
+        if (token.kind == TokenKind::EndVar) isInVariables = false;
+        if (equalsIgnoringCase(text.substr(token.begin, token.end - token.begin).substr(0, 3), "var") &&
+            token.kind != TokenKind::Identifier)
+            isInVariables = true;
         if (token.kind != TokenKind::Identifier) continue;
         const std::string name(text.substr(token.begin, token.end - token.begin));
         const lex::Token& before = list.tokens[i - 1];
@@ -201,8 +214,25 @@ void gather(std::string_view text, std::map<std::string, std::string>& used, std
         if (isType || isQualifier)
             used.emplace(foldCase(name), name);
         else if (before.kind == TokenKind::FunctionBlock || before.kind == TokenKind::Function ||
-                 (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon))
+                 (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon)) {
             declared.insert(foldCase(name));
+            if (!isInVariables) units.insert(foldCase(name));
+        }
+    }
+}
+
+/// Objects of CODESYS 2.3 are exported without the list of libraries; the names of Util are known by what is used.
+void useUtil(Imported& imported, const NamesInUse& names) {
+    constexpr std::string_view kUtil = "util";
+    if (imported.libraries.count(std::string(kUtil))) return;
+    NamesInUse ours;
+    for (const library::Source& source : library::sourcesOf(kUtil)) gather(source.text, ours);
+    std::map<std::string, std::string> all = names.types;
+    all.insert(names.called.begin(), names.called.end());
+    for (const auto& [folded, name] : all) {
+        if (!ours.units.count(folded) || names.units.count(folded)) continue;
+        imported.libraries.insert(std::string(kUtil));
+        return imported.report.add(imported.name, remarks::LibraryAdded(name, kUtil));
     }
 }
 
@@ -219,15 +249,15 @@ void addToolTypes(Imported& imported) {
     const bool isBeremiz = tool.find("beremiz") != std::string::npos, isTwinCat = tool.find("twincat") == 0;
     const bool isCodesys = tool.find("codesys") != std::string::npos;
     if (!isBeremiz && !isTwinCat && !isCodesys) return;
-    std::map<std::string, std::string> used;
-    std::map<std::string, std::string> called;
-    std::set<std::string> declared;
-    for (const ImportedFile& file : imported.files) gather(file.text, used, declared, called);
+    NamesInUse names;
+    for (const ImportedFile& file : imported.files) gather(file.text, names);
+    const auto& [used, called, declared, units] = names;
+    if (tool == "codesys 2.3") useUtil(imported, names);
     if (!isBeremiz) addFunctions(imported, called, declared);
     if (isBeremiz) {
-        std::set<std::string> names;
-        for (const auto& [folded, name] : used) names.insert(folded);
-        addToolBlocks(imported, std::move(names), declared);
+        std::set<std::string> types;
+        for (const auto& [folded, name] : used) types.insert(folded);
+        addToolBlocks(imported, std::move(types), units);
     }
     std::string text;
     std::map<std::string, std::string> missing = used;
@@ -236,12 +266,12 @@ void addToolTypes(Imported& imported) {
         if (const auto type = isBeremiz   ? panelType(name)
                               : isTwinCat ? twinCatType(name)
                                           : std::optional<std::string>();
-            type && !declared.count(folded)) {
+            type && !units.count(folded)) {
             if (type->starts_with("(")) text += "    {attribute 'qualified_only'}\n";
             text += "    " + name + " : " + *type + ";\n";
             missing.erase(folded);
         }
-    if (isTwinCat) addFormatting(imported, missing, declared);
+    if (isTwinCat) addFormatting(imported, missing, units);
     reportLibrariesUsed(imported, missing, declared);
     if (text.empty()) return;
     const std::string from = isBeremiz ? "the panels of Beremiz" : "the system library of TwinCAT";

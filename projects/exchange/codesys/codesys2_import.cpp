@@ -6,6 +6,7 @@
 #include "projects/exchange/codesys/codesys2_sections.h"
 #include "projects/exchange/graphs/stored_diagram.h"
 #include "runtime/base/text.h"
+#include "runtime/library/sources.h"
 
 #include <algorithm>
 
@@ -226,11 +227,19 @@ private:
     std::optional<BlockPins> pinsOf(const std::string& type) const {
         if (const auto own = m_pins.find(foldCase(type)); own != m_pins.end()) return own->second;
         if (auto known = standardPins(type)) return known;
+        static const std::map<std::string, BlockPins> util = pinsOfUtil();
         std::map<std::string, BlockPins> others;
         for (const ImportedFile& file : m_out.files)
             if (foldCase(file.text).find(foldCase(type)) != std::string::npos) gatherBlockPins(file.text, others);
         const auto other = others.find(foldCase(type));
-        return other == others.end() ? std::nullopt : std::optional(other->second);
+        if (other != others.end()) return other->second;
+        const auto known = util.find(foldCase(type));
+        return known == util.end() ? std::nullopt : std::optional(known->second);
+    }
+    static std::map<std::string, BlockPins> pinsOfUtil() {
+        std::map<std::string, BlockPins> out;
+        for (const library::Source& source : library::sourcesOf("util")) gatherBlockPins(source.text, out);
+        return out;
     }
 
     [[nodiscard]] const char* languageDrawn() const {

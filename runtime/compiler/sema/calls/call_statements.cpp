@@ -77,8 +77,8 @@ void callProgram(Context& context, const Denoted& callee, const syntax::Expr& ca
 void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     const syntax::Expr& e = *stmt.value;
-    // Without parentheses it is a call of an action or a program, as CODESYS 2.3 writes them. What else is meant is worth finding
-    // out: "Compute;" comes from other languages, "x;" from a statement that was not finished.
+    // Without parentheses it is a call of an action or a program, as CODESYS 2.3 writes them. What else is meant is
+    // worth finding out: "Compute;" comes from other languages, "x;" from a statement that was not finished.
     if (e.kind != syntax::ExprKind::Call) {
         if (e.kind == syntax::ExprKind::Error) return;
         if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member ||
