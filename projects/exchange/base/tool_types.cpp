@@ -221,18 +221,18 @@ void gather(std::string_view text, NamesInUse& names) {
     }
 }
 
-/// Objects of CODESYS 2.3 are exported without the list of libraries; the names of Util are known by what is used.
-void useUtil(Imported& imported, const NamesInUse& names) {
-    constexpr std::string_view kUtil = "util";
-    if (imported.libraries.count(std::string(kUtil))) return;
+/// Objects of CODESYS 2.3 are exported without the list of libraries, and Beremiz has none: which of ours is meant is
+/// known by the names that are used.
+void useLibrary(Imported& imported, std::string_view library, const NamesInUse& names) {
+    if (imported.libraries.count(std::string(library))) return;
     NamesInUse ours;
-    for (const library::Source& source : library::sourcesOf(kUtil)) gather(source.text, ours);
+    for (const library::Source& source : library::sourcesOf(library)) gather(source.text, ours);
     std::map<std::string, std::string> all = names.types;
     all.insert(names.called.begin(), names.called.end());
     for (const auto& [folded, name] : all) {
         if (!ours.units.count(folded) || names.units.count(folded)) continue;
-        imported.libraries.insert(std::string(kUtil));
-        return imported.report.add(imported.name, remarks::LibraryAdded(name, kUtil));
+        imported.libraries.insert(std::string(library));
+        return imported.report.add(imported.name, remarks::LibraryAdded(name, library));
     }
 }
 
@@ -252,7 +252,8 @@ void addToolTypes(Imported& imported) {
     NamesInUse names;
     for (const ImportedFile& file : imported.files) gather(file.text, names);
     const auto& [used, called, declared, units] = names;
-    if (tool == "codesys 2.3") useUtil(imported, names);
+    if (tool == "codesys 2.3") useLibrary(imported, "util", names);
+    if (isBeremiz) useLibrary(imported, "analog", names); // the blocks of Annex F
     if (!isBeremiz) addFunctions(imported, called, declared);
     if (isBeremiz) {
         std::set<std::string> types;

@@ -152,7 +152,8 @@ private:
         if (m_isDrawn && readDrawn(kind, path, text)) {
             ++m_out.report.bodies[languageDrawn()];
         } else if (m_isDrawn) {
-            m_out.report.add(m_place, remarks::ArchiveBody(path));
+            m_out.report.add(m_place, m_unknownBlock.empty() ? remarks::DrawnBodyNotRead(path)
+                                                             : remarks::DrawnBlockUnknown(path, m_unknownBlock));
             m_out.side["units"][path]["archive"] = m_drawn;
             ++m_out.report.bodies[languageDrawn()];
         } else if (kind != PieceKind::Globals && kind != PieceKind::Type) {
@@ -177,11 +178,16 @@ private:
 
     /// The diagram of a unit as its text. False: it has something that is not known here.
     bool readDrawn(PieceKind kind, const std::string& name, std::string& text) {
+        m_unknownBlock.clear();
         const bool isAction = kind == PieceKind::Action && !m_out.files.empty();
         if (!isAction && kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock)
             return false;
         pugi::xml_document diagram;
-        const auto pins = [this](const std::string& type) { return pinsOf(type); };
+        const auto pins = [this](const std::string& type) {
+            auto known = pinsOf(type);
+            if (!known) m_unknownBlock = type;
+            return known;
+        };
         if (m_drawn.starts_with("_CFC") ? !readCodesys2Cfc(m_drawn, pins, diagram)
                                         : !readCodesys2Diagram(m_drawn, pins, diagram))
             return false;
@@ -255,6 +261,7 @@ private:
     std::map<std::string, BlockPins> m_pins; // of the blocks of this file
     int m_line = 1, m_sectionLine = 0;
     std::string m_current, m_path, m_list, m_drawn;
+    std::string m_unknownBlock;                         // what the last diagram failed at
     std::string m_section, m_sectionEnd, m_sectionText; // that is being read: its word, the one that ends it, its lines
     bool m_isDrawn = false;
 };

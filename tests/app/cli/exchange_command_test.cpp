@@ -28,6 +28,7 @@ TEST_F(ExchangeCommands, AFileBecomesAProjectThatRunsAndGoesOutAgain) {
     EXPECT_NE(read("machine.xml").find("tc6_0200"), std::string::npos);
     EXPECT_EQ(command({"export", path("machine"), "--to", path("plain.xml"), "--version", "0201"}), cli::kGood) << err;
     EXPECT_NE(read("plain.xml").find("tc6_0201"), std::string::npos);
+    EXPECT_NE(out.find("units: pou 1; bodies: ST 1"), std::string::npos) << out;
     EXPECT_EQ(command({"import", path("plain.xml"), "--to", path("again")}), cli::kGood) << err;
     EXPECT_EQ(read("again/src/MAIN.st"), read("machine/src/MAIN.st"));
 }

@@ -183,6 +183,19 @@ TEST_F(Codesys2, BlocksOfUtilAreKnownWithoutTheListOfLibraries) {
               std::string::npos);
 }
 
+TEST_F(Codesys2, WhatIsDrawnAndNotReadSaysWhy) {
+    const auto kindOf = [&](const std::string& body) {
+        write("odd.EXP", unit("PROGRAM Odd", "\ta, y : BOOL; f : Elsewhere;\n", body, "END_PROGRAM"));
+        const Imported imported = folder("odd.EXP");
+        EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+        EXPECT_NE(fileOf(imported, "src/Odd.st").find("f : Elsewhere;"), std::string::npos); // what is declared is kept
+        return imported.report.notes.front().kind;
+    };
+    EXPECT_EQ(kindOf("_CFC_BODY\n" + box(1, "Elsewhere", "f", {}, 1)), NoteKind::DrawnBlockUnknown);
+    EXPECT_EQ(kindOf("_CFC_BODY\n" + element(1, "_ODD", "")), NoteKind::DrawnBodyNotRead);
+    EXPECT_EQ(kindOf("_SFC_BODY\n_STEP\nInit\n"), NoteKind::DrawnBodyNotRead);
+}
+
 /// Lines of a chart in XML end at a connector without a name, which has a line to where they begin.
 std::string chartInXml() {
     return "<CFC><inVariable localId=\"3\"><position x=\"9\" y=\"14\"/><connectionPointOut><expression/>"
