@@ -221,6 +221,30 @@ void gather(std::string_view text, NamesInUse& names) {
     }
 }
 
+/// Tc2_EtherCAT.Tc2_Utilities.TIMESTRUCT: the types that are declared here have no namespace.
+void dropNamespacesOfTypes(ImportedFile& file) {
+    const auto isLibrary = [](std::string_view name) {
+        const std::string folded = foldCase(name);
+        return folded.starts_with("tc2_") || folded.starts_with("tc3_");
+    };
+    const std::string before = file.text, folded = foldCase(before);
+    if (folded.find("tc2_") == std::string::npos && folded.find("tc3_") == std::string::npos) return;
+    diagnostics::Sink sink;
+    const lex::TokenList list = lex::tokenize(FileId(0), before, sink);
+    const auto textAt = [&](size_t i) {
+        return std::string_view(before).substr(list.tokens[i].begin, list.tokens[i].end - list.tokens[i].begin);
+    };
+    for (size_t i = list.tokens.size(); i-- > 2;) {
+        if (list.tokens[i].kind != TokenKind::Identifier || !twinCatType(textAt(i))) continue;
+        size_t first = i;
+        while (first >= 2 && list.tokens[first - 1].kind == TokenKind::Dot &&
+               list.tokens[first - 2].kind == TokenKind::Identifier)
+            first -= 2;
+        if (first != i && isLibrary(textAt(first)))
+            file.text.erase(list.tokens[first].begin, list.tokens[i].begin - list.tokens[first].begin);
+    }
+}
+
 /// Objects of CODESYS 2.3 are exported without the list of libraries, and Beremiz has none: which of ours is meant is
 /// known by the names that are used.
 void useLibrary(Imported& imported, std::string_view library, const NamesInUse& names) {
@@ -249,6 +273,8 @@ void addToolTypes(Imported& imported) {
     const bool isBeremiz = tool.find("beremiz") != std::string::npos, isTwinCat = tool.find("twincat") == 0;
     const bool isCodesys = tool.find("codesys") != std::string::npos;
     if (!isBeremiz && !isTwinCat && !isCodesys) return;
+    if (isTwinCat)
+        for (ImportedFile& file : imported.files) dropNamespacesOfTypes(file);
     NamesInUse names;
     for (const ImportedFile& file : imported.files) gather(file.text, names);
     const auto& [used, called, declared, units] = names;

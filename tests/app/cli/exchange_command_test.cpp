@@ -113,6 +113,7 @@ TEST_F(ExchangeCommands, EveryCodePageIsImportedKeptAndConvertedWhenAsked) {
             << page << err;
         EXPECT_EQ(read("in" + page + "/src/" + page + ".st"), utf8) << page;
 
+        std::filesystem::create_directories(path(page + "/src"));
         write(page + "/project.json", "{\"name\": \"p\", \"encoding\": \"" + page + "\"}");
         write(page + "/src/p.st", bytes);
         EXPECT_EQ(command({"check", path(page)}), cli::kGood) << page << err;

@@ -220,7 +220,9 @@ TEST_F(ProjectTrees, AProgramOfALibraryIsNoInstance) {
           "</TcPlcObject>");
     write("p/MAIN.TcPOU",
           "<TcPlcObject><POU Name=\"MAIN\"><Declaration><![CDATA[PROGRAM MAIN\nVAR\n\tfb_FormatString : "
-          "FB_FormatString;\nEND_VAR\n]]></Declaration><Implementation><ST><![CDATA[fb_FormatString("
+          "FB_FormatString;\n\tday : "
+          "Tc2_EtherCAT.Tc2_Utilities.TIMESTRUCT;\nEND_VAR\n]]></"
+          "Declaration><Implementation><ST><![CDATA[fb_FormatString("
           "sFormat := '%d', arg1 := F_INT(5));]]></ST></Implementation></POU></TcPlcObject>");
     const Imported imported = folder("p");
     EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
