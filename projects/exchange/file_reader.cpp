@@ -2,6 +2,7 @@
 
 #include "projects/exchange/base/addresses.h"
 #include "projects/exchange/base/assemble.h"
+#include "projects/exchange/base/beremiz_extension.h"
 #include "projects/exchange/base/c_code.h"
 #include "projects/exchange/base/own_namespaces.h"
 #include "projects/exchange/base/tool_types.h"
@@ -104,6 +105,8 @@ Result<void> FileReader::readXml(const std::string& bytes, const std::string& pl
         importCodesysExport(*file, m_out);
     } else if (isTwinCatProject(*file)) {
         readTwinCatProject(*file, m_out);
+    } else if (isBeremizExtension(*file)) {
+        readBeremizExtension(*file, m_out);
     } else {
         return Error{errors::ImportXmlUnknown(), place};
     }

@@ -118,6 +118,35 @@ TEST_F(ExchangeWindow, AnotherEncodingIsChosenByKeysAndTheTargetStays) {
     EXPECT_TRUE(QString::fromUtf8(written.readAll()).contains(polish));
 }
 
+TEST_F(ExchangeWindow, EveryCodePageIsShownAndImported) {
+    std::string bytes = "PROGRAM A // ";
+    for (int byte = 0xA1; byte <= 0xFF; ++byte) bytes += static_cast<char>(byte);
+    bytes += "\nEND_PROGRAM\n";
+    write("foreign/a.st", QByteArray::fromStdString(bytes));
+    for (const std::string& page : projects::codePageNames()) {
+        const std::string text = projects::decodeText(bytes, projects::encodingNamed(page)).text;
+        ImportDialog dialog(folder.path() + "/projects", window.get());
+        dialog.show();
+        dialog.preview(folder.path() + "/foreign/a.st");
+        auto* encoding = dialog.findChild<QComboBox*>("encoding");
+        encoding->setFocus();
+        QTest::keyClick(encoding, Qt::Key_Home);
+        while (encoding->currentText() != QString::fromStdString(page) &&
+               encoding->currentIndex() + 1 < encoding->count())
+            QTest::keyClick(encoding, Qt::Key_Down);
+        ASSERT_EQ(encoding->currentText().toStdString(), page);
+        const QString letters = QString::fromStdString(text).section('\n', 0, 0);
+        const auto* preview = dialog.findChild<QPlainTextEdit*>();
+        EXPECT_TRUE(waitFor([&] { return preview->toPlainText().startsWith(letters.left(20)); })) << page;
+        auto* target = dialog.findChild<QLineEdit*>("target");
+        target->setText(folder.path() + "/projects/" + QString::fromStdString(page));
+        QTest::mouseClick(dialog.findChild<QPushButton*>("import"), Qt::LeftButton);
+        QFile written(folder.path() + "/projects/" + QString::fromStdString(page) + "/src/a.st");
+        ASSERT_TRUE(written.open(QIODevice::ReadOnly)) << page;
+        EXPECT_EQ(written.readAll().toStdString(), text) << page;
+    }
+}
+
 TEST_F(ExchangeWindow, ACancelledExportWritesNothing) {
     const QString target = folder.path() + "/out.xml";
     EXPECT_EQ(opened<ExportDialog>([&] { window->action("file.export")->trigger(); },

@@ -132,6 +132,28 @@ TEST(LimitsAndHysteresis, CompareStrictly) {
     }
 }
 
+TEST(LinearTransformation, MapsARangeAndRefusesWhatIsOutside) {
+    Bench bench("VAR t, back, none : LIN_TRAFO; x : REAL; END_VAR",
+                "t(IN := x, IN_MIN := 4.0, IN_MAX := 20.0, OUT_MIN := 0.0, OUT_MAX := 100.0);\n"
+                "back(IN := x, IN_MIN := 20.0, IN_MAX := 4.0, OUT_MIN := 0.0, OUT_MAX := 100.0);\n"
+                "none(IN := x, IN_MIN := 4.0, IN_MAX := 4.0, OUT_MIN := 1.0, OUT_MAX := 2.0);",
+                util);
+    for (const auto& [x, out, error] : {std::tuple{4.0, 0.0, 0},
+                                        {20.0, 100.0, 0},
+                                        {12.0, 50.0, 0},
+                                        {20.5, 50.0, 1},
+                                        {3.9, 50.0, 1},
+                                        {8.0, 25.0, 0}}) {
+        bench.set("x", x);
+        bench.scan();
+        EXPECT_NEAR(bench.real("t.OUT"), out, 1e-4) << x;
+        EXPECT_NEAR(bench.real("back.OUT"), 100.0 - out, 1e-4) << x;
+        EXPECT_EQ(bench.is("t.ERROR"), error) << x;
+        EXPECT_EQ(bench.is("back.ERROR"), error) << x;
+        EXPECT_TRUE(bench.is("none.ERROR"));
+    }
+}
+
 TEST(Mathematics, IntegratesDifferentiatesAndCounts) {
     Bench bench(
         "VAR i : Util.INTEGRAL; d : Util.DERIVATIVE; s : STATISTICS_REAL; n : STATISTICS_INT; v : VARIANCE; x : REAL; "

@@ -14,7 +14,9 @@ void addConfiguration(const ForeignTasks& all, Imported& imported) {
         if (!task.interval.empty()) tasks += "INTERVAL := " + task.interval + ", ";
         tasks += "PRIORITY := " + (task.priority.empty() ? "0" : task.priority) + ");\n";
         for (const std::string& program : task.programs)
-            if (names.insert(foldCase(program)).second)
+            if (program.find('.') != std::string::npos)
+                imported.report.add(task.name, remarks::TaskProgramLeftOut(task.name, program));
+            else if (names.insert(foldCase(program)).second)
                 instances += "        PROGRAM " + program + " WITH " + task.name + " : " + program + ";\n";
     }
     ++imported.report.units["CONFIGURATION"];

@@ -5,6 +5,7 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 #include "runtime/diagnostics/diagnostic.h"
+#include "runtime/library/sources.h"
 
 #include <algorithm>
 #include <optional>
@@ -182,13 +183,25 @@ std::optional<std::string> twinCatType(std::string_view name) {
     return std::nullopt;
 }
 
-/// Names that stand for a type, behind `:`, OF or TO, and names that are declared, before `:`.
-void gather(std::string_view text, std::map<std::string, std::string>& used, std::set<std::string>& declared,
-            std::map<std::string, std::string>& called) {
+/// Folded names of a project and how they are written.
+struct NamesInUse {
+    std::map<std::string, std::string> types;  // behind `:`, OF or TO
+    std::map<std::string, std::string> called; // in front of a parenthesis
+    std::set<std::string> declared;            // in front of `:`, and units
+    std::set<std::string> units;               // without the variables: what can be a type
+};
+
+void gather(std::string_view text, NamesInUse& names) {
+    auto& [used, called, declared, units] = names;
     diagnostics::Sink sink;
     const lex::TokenList list = lex::tokenize(FileId(0), text, sink);
+    bool isInVariables = false;
     for (size_t i = 1; i < list.tokens.size(); ++i) {
         const lex::Token& token = list.tokens[i];
+        if (token.kind == TokenKind::EndVar) isInVariables = false;
+        if (equalsIgnoringCase(text.substr(token.begin, token.end - token.begin).substr(0, 3), "var") &&
+            token.kind != TokenKind::Identifier)
+            isInVariables = true;
         if (token.kind != TokenKind::Identifier) continue;
         const std::string name(text.substr(token.begin, token.end - token.begin));
         const lex::Token& before = list.tokens[i - 1];
@@ -201,8 +214,49 @@ void gather(std::string_view text, std::map<std::string, std::string>& used, std
         if (isType || isQualifier)
             used.emplace(foldCase(name), name);
         else if (before.kind == TokenKind::FunctionBlock || before.kind == TokenKind::Function ||
-                 (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon))
+                 (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon)) {
             declared.insert(foldCase(name));
+            if (!isInVariables) units.insert(foldCase(name));
+        }
+    }
+}
+
+/// Tc2_EtherCAT.Tc2_Utilities.TIMESTRUCT: the types that are declared here have no namespace.
+void dropNamespacesOfTypes(ImportedFile& file) {
+    const auto isLibrary = [](std::string_view name) {
+        const std::string folded = foldCase(name);
+        return folded.starts_with("tc2_") || folded.starts_with("tc3_");
+    };
+    const std::string before = file.text, folded = foldCase(before);
+    if (folded.find("tc2_") == std::string::npos && folded.find("tc3_") == std::string::npos) return;
+    diagnostics::Sink sink;
+    const lex::TokenList list = lex::tokenize(FileId(0), before, sink);
+    const auto textAt = [&](size_t i) {
+        return std::string_view(before).substr(list.tokens[i].begin, list.tokens[i].end - list.tokens[i].begin);
+    };
+    for (size_t i = list.tokens.size(); i-- > 2;) {
+        if (list.tokens[i].kind != TokenKind::Identifier || !twinCatType(textAt(i))) continue;
+        size_t first = i;
+        while (first >= 2 && list.tokens[first - 1].kind == TokenKind::Dot &&
+               list.tokens[first - 2].kind == TokenKind::Identifier)
+            first -= 2;
+        if (first != i && isLibrary(textAt(first)))
+            file.text.erase(list.tokens[first].begin, list.tokens[i].begin - list.tokens[first].begin);
+    }
+}
+
+/// Objects of CODESYS 2.3 are exported without the list of libraries, and Beremiz has none: which of ours is meant is
+/// known by the names that are used.
+void useLibrary(Imported& imported, std::string_view library, const NamesInUse& names) {
+    if (imported.libraries.count(std::string(library))) return;
+    NamesInUse ours;
+    for (const library::Source& source : library::sourcesOf(library)) gather(source.text, ours);
+    std::map<std::string, std::string> all = names.types;
+    all.insert(names.called.begin(), names.called.end());
+    for (const auto& [folded, name] : all) {
+        if (!ours.units.count(folded) || names.units.count(folded)) continue;
+        imported.libraries.insert(std::string(library));
+        return imported.report.add(imported.name, remarks::LibraryAdded(name, library));
     }
 }
 
@@ -219,15 +273,18 @@ void addToolTypes(Imported& imported) {
     const bool isBeremiz = tool.find("beremiz") != std::string::npos, isTwinCat = tool.find("twincat") == 0;
     const bool isCodesys = tool.find("codesys") != std::string::npos;
     if (!isBeremiz && !isTwinCat && !isCodesys) return;
-    std::map<std::string, std::string> used;
-    std::map<std::string, std::string> called;
-    std::set<std::string> declared;
-    for (const ImportedFile& file : imported.files) gather(file.text, used, declared, called);
+    if (isTwinCat)
+        for (ImportedFile& file : imported.files) dropNamespacesOfTypes(file);
+    NamesInUse names;
+    for (const ImportedFile& file : imported.files) gather(file.text, names);
+    const auto& [used, called, declared, units] = names;
+    if (tool == "codesys 2.3") useLibrary(imported, "util", names);
+    if (isBeremiz) useLibrary(imported, "analog", names); // the blocks of Annex F
     if (!isBeremiz) addFunctions(imported, called, declared);
     if (isBeremiz) {
-        std::set<std::string> names;
-        for (const auto& [folded, name] : used) names.insert(folded);
-        addToolBlocks(imported, std::move(names), declared);
+        std::set<std::string> types;
+        for (const auto& [folded, name] : used) types.insert(folded);
+        addToolBlocks(imported, std::move(types), units);
     }
     std::string text;
     std::map<std::string, std::string> missing = used;
@@ -236,12 +293,12 @@ void addToolTypes(Imported& imported) {
         if (const auto type = isBeremiz   ? panelType(name)
                               : isTwinCat ? twinCatType(name)
                                           : std::optional<std::string>();
-            type && !declared.count(folded)) {
+            type && !units.count(folded)) {
             if (type->starts_with("(")) text += "    {attribute 'qualified_only'}\n";
             text += "    " + name + " : " + *type + ";\n";
             missing.erase(folded);
         }
-    if (isTwinCat) addFormatting(imported, missing, declared);
+    if (isTwinCat) addFormatting(imported, missing, units);
     reportLibrariesUsed(imported, missing, declared);
     if (text.empty()) return;
     const std::string from = isBeremiz ? "the panels of Beremiz" : "the system library of TwinCAT";

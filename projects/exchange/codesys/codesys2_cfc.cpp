@@ -105,10 +105,21 @@ public:
     }
 
     void write() {
-        for (const CfcElement& each : m_elements) writeElement(each);
+        for (const CfcElement& each : m_elements)
+            if (!isBorder(each)) writeElement(each);
     }
 
 private:
+    /// A macro and its pins: what is inside stands beside what is around, and lines lead through.
+    static bool isBorder(const CfcElement& element) {
+        const std::string type = element.text("_TYPE");
+        if (type != "_MACRO" && type != "_INPIN" && type != "_OUTPIN") return false;
+        if (!element.text("_CONNECTOR").empty()) throw UnknownPart();
+        for (const Settings& each : element.outputs)
+            if (!textIn(each, "_CONNECTOR").empty()) throw UnknownPart();
+        return true;
+    }
+
     pugi::xml_node add(const char* kind, const CfcElement& element) {
         pugi::xml_node node = m_body.append_child(kind);
         node.append_attribute("localId") = numberIn(element.settings, "_ID");
@@ -199,17 +210,47 @@ private:
         }
     }
 
+    [[nodiscard]] const CfcElement* elementOf(const Settings& settings, std::string_view key) const {
+        const auto found = m_byId.find(numberIn(settings, key));
+        return found == m_byId.end() ? nullptr : found->second;
+    }
+    /// Inside a macro: what arrives at the macro's pin of that number.
+    const Settings& pinAround(const CfcElement& inner) const {
+        const CfcElement* macro = elementOf(inner.settings, "_MACROID");
+        const int number = numberIn(inner.settings, "_MACROIDX");
+        if (!macro || number < 1 || static_cast<size_t>(number) > macro->inputs.size()) throw UnknownPart();
+        return macro->inputs[static_cast<size_t>(number - 1)];
+    }
+    /// Outside a macro: what arrives inside at the output that the line begins at.
+    const Settings& pinInside(const CfcElement& macro, const Settings& pin, bool& negated) const {
+        const int index = numberIn(pin, "_INPUTIDX");
+        if (index < 0 || static_cast<size_t>(index) >= macro.outputs.size()) throw UnknownPart();
+        if (isNegated(macro.outputs[static_cast<size_t>(index)])) negated = !negated;
+        for (const CfcElement& each : m_elements)
+            if (each.text("_TYPE") == "_OUTPIN" && elementOf(each.settings, "_MACROID") == &macro &&
+                numberIn(each.settings, "_MACROIDX") == index + 1)
+                return each.settings;
+        throw UnknownPart();
+    }
+
     /// A negation where a line begins is one where it ends.
-    void connect(pugi::xml_node node, const Settings& pin) {
-        bool negated = isNegated(pin);
+    void connect(pugi::xml_node node, const Settings& written) {
+        bool negated = isNegated(written);
+        const Settings* pin = &written;
+        const CfcElement* source = elementOf(*pin, "_INPUTID");
+        for (size_t borders = 0; source && isBorder(*source); source = elementOf(*pin, "_INPUTID")) {
+            if (++borders > m_elements.size()) throw UnknownPart(); // a circle of pins
+            pin = source->text("_TYPE") == "_INPIN" ? &pinAround(*source) : &pinInside(*source, *pin, negated);
+            if (isNegated(*pin)) negated = !negated;
+        }
         pugi::xml_node point = node.append_child("connectionPointIn");
-        if (const auto source = m_byId.find(numberIn(pin, "_INPUTID")); source != m_byId.end()) {
+        if (source) {
             pugi::xml_node connection = point.append_child("connection");
-            connection.append_attribute("refLocalId") = source->first;
-            if (source->second->isBox())
+            connection.append_attribute("refLocalId") = numberIn(source->settings, "_ID");
+            if (source->isBox())
                 connection.append_attribute("formalParameter") =
-                    outputName(*source->second, numberIn(pin, "_INPUTIDX"), negated).c_str();
-            else if (isNegated(source->second->settings))
+                    outputName(*source, numberIn(*pin, "_INPUTIDX"), negated).c_str();
+            else if (isNegated(source->settings))
                 negated = !negated;
         }
         if (negated) node.append_attribute("negated") = "true";

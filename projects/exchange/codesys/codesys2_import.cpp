@@ -6,6 +6,7 @@
 #include "projects/exchange/codesys/codesys2_sections.h"
 #include "projects/exchange/graphs/stored_diagram.h"
 #include "runtime/base/text.h"
+#include "runtime/library/sources.h"
 
 #include <algorithm>
 
@@ -146,18 +147,21 @@ private:
             text = "{gvl " + name + "}\n" + text;
             m_list.clear();
         }
-        if (m_isDrawn && readDrawn(kind, name, text)) {
+        const bool isOfUnit = kind == PieceKind::Action && !m_out.files.empty(); // of the one before it
+        const std::string path = isOfUnit ? m_out.files.back().name + "." + name : name;
+        if (m_isDrawn && readDrawn(kind, path, text)) {
             ++m_out.report.bodies[languageDrawn()];
         } else if (m_isDrawn) {
-            m_out.report.add(m_place, remarks::ArchiveBody(name));
-            m_out.side["units"][name]["archive"] = m_drawn;
+            m_out.report.add(m_place, m_unknownBlock.empty() ? remarks::DrawnBodyNotRead(path)
+                                                             : remarks::DrawnBlockUnknown(path, m_unknownBlock));
+            m_out.side["units"][path]["archive"] = m_drawn;
             ++m_out.report.bodies[languageDrawn()];
         } else if (kind != PieceKind::Globals && kind != PieceKind::Type) {
             ++m_out.report.bodies["ST/IL"];
         }
         m_isDrawn = false;
         m_drawn.clear();
-        if (kind == PieceKind::Action && !m_out.files.empty()) { // belongs to the unit before it
+        if (isOfUnit) {
             m_out.files.back().text += "\n" + text + "\n";
             return;
         }
@@ -174,9 +178,16 @@ private:
 
     /// The diagram of a unit as its text. False: it has something that is not known here.
     bool readDrawn(PieceKind kind, const std::string& name, std::string& text) {
-        if (kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock) return false;
+        m_unknownBlock.clear();
+        const bool isAction = kind == PieceKind::Action && !m_out.files.empty();
+        if (!isAction && kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock)
+            return false;
         pugi::xml_document diagram;
-        const auto pins = [this](const std::string& type) { return pinsOf(type); };
+        const auto pins = [this](const std::string& type) {
+            auto known = pinsOf(type);
+            if (!known) m_unknownBlock = type;
+            return known;
+        };
         if (m_drawn.starts_with("_CFC") ? !readCodesys2Cfc(m_drawn, pins, diagram)
                                         : !readCodesys2Diagram(m_drawn, pins, diagram))
             return false;
@@ -184,24 +195,57 @@ private:
         if (!lines) return false;
         Piece piece;
         piece.kind = kind;
-        piece.name = name;
-        piece.declaration = text.substr(0, text.rfind('\n') + 1); // without END_…
-        piece.body = diagramText(diagram.document_element(), *lines, name, piece, m_out);
+        piece.name = name.substr(name.rfind('.') + 1);
+        if (isAction) {
+            piece.body = actionText(diagram.document_element(), *lines, name);
+        } else {
+            piece.declaration = text.substr(0, text.rfind('\n') + 1); // without END_…
+            piece.body = diagramText(diagram.document_element(), *lines, name, piece, m_out);
+        }
         text = trimmedLines(assemble(piece));
         m_out.side["units"][name]["archive"] = m_drawn;
         m_out.report.add(m_place, remarks::BodyConverted(name));
         return true;
     }
 
+    /// The statements of an action; the variables that they need are declared with those of its unit.
+    std::string actionText(pugi::xml_node diagram, const XmlFile& lines, const std::string& name) {
+        std::string& unit = m_out.files.back().text;
+        size_t end = 0; // of the declarations: behind the last END_VAR line
+        for (size_t at = 0; at < unit.size();) {
+            const size_t next = std::min(unit.find('\n', at), unit.size() - 1) + 1;
+            const std::string word = firstWord(std::string_view(unit).substr(at, next - at));
+            if (word == "END_VAR") end = next;
+            if (end == 0 && endsUnit(word)) break;
+            at = next;
+        }
+        if (end == 0) end = unit.find('\n') + 1; // behind the line with its name
+        Piece owner;
+        owner.kind = kindOfDeclaration(unit);
+        owner.name = m_out.files.back().name;
+        owner.declaration = unit.substr(0, end);
+        std::string statements = diagramText(diagram, lines, name, owner, m_out);
+        unit.replace(0, end, owner.declaration);
+        return statements;
+    }
+
     /// Of the standard, of this file, or of the files before it.
     std::optional<BlockPins> pinsOf(const std::string& type) const {
         if (const auto own = m_pins.find(foldCase(type)); own != m_pins.end()) return own->second;
         if (auto known = standardPins(type)) return known;
+        static const std::map<std::string, BlockPins> util = pinsOfUtil();
         std::map<std::string, BlockPins> others;
         for (const ImportedFile& file : m_out.files)
             if (foldCase(file.text).find(foldCase(type)) != std::string::npos) gatherBlockPins(file.text, others);
         const auto other = others.find(foldCase(type));
-        return other == others.end() ? std::nullopt : std::optional(other->second);
+        if (other != others.end()) return other->second;
+        const auto known = util.find(foldCase(type));
+        return known == util.end() ? std::nullopt : std::optional(known->second);
+    }
+    static std::map<std::string, BlockPins> pinsOfUtil() {
+        std::map<std::string, BlockPins> out;
+        for (const library::Source& source : library::sourcesOf("util")) gatherBlockPins(source.text, out);
+        return out;
     }
 
     [[nodiscard]] const char* languageDrawn() const {
@@ -217,6 +261,7 @@ private:
     std::map<std::string, BlockPins> m_pins; // of the blocks of this file
     int m_line = 1, m_sectionLine = 0;
     std::string m_current, m_path, m_list, m_drawn;
+    std::string m_unknownBlock;                         // what the last diagram failed at
     std::string m_section, m_sectionEnd, m_sectionText; // that is being read: its word, the one that ends it, its lines
     bool m_isDrawn = false;
 };

@@ -20,7 +20,7 @@ public:
     ChartReader(pugi::xml_node sfc, const XmlFile& file, std::string unit,
                 const std::map<std::string, std::string>& conditions, const DiagramNames& names, Report& report)
         : m_sfc(sfc), m_file(file), m_unit(std::move(unit)), m_conditions(conditions), m_report(report),
-          m_diagram(sfc, file, m_unit, names, report) {
+          m_diagram(sfc, file, m_unit, names, report), m_names(names) {
         for (const pugi::xml_node node : sfc.children())
             if (const std::string id = attribute(node, "localId"); !id.empty()) m_nodes.emplace(id, node);
         for (const pugi::xml_node node : sfc.children())
@@ -30,13 +30,16 @@ public:
     ChartText read() {
         gatherActions();
         gatherTargets();
+        for (const pugi::xml_node node : m_sfc.children())
+            if (is(node, "transition")) m_conditionOf[attribute(node, "localId")] = conditionText(node);
+        callBlocksOfConditions();
         for (const pugi::xml_node node : m_sfc.children()) {
             if (is(node, "step")) writeStep(node);
             if (is(node, "transition")) writeTransition(node);
             if (is(node, "macroStep"))
                 m_report.add(place(node), remarks::ElementNotRead("macroStep " + attribute(node, "name")));
         }
-        m_out.variables = m_diagram.variables();
+        for (auto& each : m_diagram.variables()) m_out.variables.push_back(std::move(each));
         return std::move(m_out);
     }
 
@@ -228,13 +231,29 @@ private:
                 return ":\n" + trimmedLines(textOf(childOf(inlined, "IL")));
         } else if (const pugi::xml_node point = childOf(condition, "connectionPointIn")) {
             text = m_diagram.expressionAt(point);
-            if (m_diagram.hasStatements()) m_report.add(place(transition), remarks::ConditionWithBlock(m_unit));
             // CODESYS draws a named transition as a variable of that name
             const auto it = m_conditions.find(foldCase(text));
             if (it != m_conditions.end()) text = it->second;
         }
         if (isTrue(condition, "negated") && !text.empty()) text = "NOT (" + text + ")";
         return text;
+    }
+
+    /// A condition calls nothing: an action that is stored from the initial step on calls what conditions are drawn
+    /// with.
+    void callBlocksOfConditions() {
+        std::string statements = m_diagram.pendingStatements();
+        if (statements.empty()) return;
+        std::string name = "CallBlocks";
+        const auto isTaken = [&] {
+            return m_steps.count(foldCase(name)) > 0 || m_names.variableTypes.count(foldCase(name)) > 0;
+        };
+        while (isTaken()) name += '_';
+        for (const pugi::xml_node step : m_sfc.children())
+            if (is(step, "step") && isTrue(step, "initialStep"))
+                m_actions[attribute(step, "name")] += "    " + name + "(S);\n";
+        m_out.actions.emplace_back(name, std::move(statements));
+        m_report.add(place(m_sfc), remarks::ConditionWithBlock(m_unit, name));
     }
 
     static std::string listOf(const Names& names) {
@@ -254,7 +273,7 @@ private:
                          remarks::ChartNotConnected("transition " + attribute(transition, "localId")));
             return;
         }
-        std::string condition = conditionText(transition);
+        std::string condition = m_conditionOf[attribute(transition, "localId")];
         if (condition.empty()) {
             m_report.add(place(transition), remarks::ConditionMissing(listOf(from.front())));
             condition = "FALSE";
@@ -282,6 +301,8 @@ private:
     std::map<std::string, std::string> m_actions;
     std::map<std::string, Names> m_targets; // of a transition's id
     std::map<std::string, int> m_inlineCount;
+    std::map<std::string, std::string> m_conditionOf; // a transition's id
+    const DiagramNames& m_names;
     ChartText m_out;
 };
 

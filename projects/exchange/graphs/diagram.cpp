@@ -463,12 +463,18 @@ DiagramText Diagram::statements() {
         m_state->report.add(m_state->place(m_state->body), remarks::DiagramTooLarge(m_state->unit));
         return out;
     }
-    for (const State::Statement& each : m_state->statements) {
-        out.statements += each.text;
-        if (each.text.ends_with("END_IF")) out.statements += ";";
-        out.statements += '\n';
-    }
+    out.statements = pendingStatements();
     out.variables = m_state->variables;
+    return out;
+}
+
+std::string Diagram::pendingStatements() const {
+    std::string out;
+    for (const State::Statement& each : m_state->statements) {
+        out += each.text;
+        if (each.text.ends_with("END_IF")) out += ";";
+        out += '\n';
+    }
     return out;
 }
 
@@ -481,7 +487,6 @@ std::string Diagram::expressionAt(pugi::xml_node connectionPointIn) {
     }
 }
 
-bool Diagram::hasStatements() const { return !m_state->statements.empty(); }
 std::vector<std::pair<std::string, std::string>> Diagram::variables() const { return m_state->variables; }
 
 } // namespace plc::exchange

@@ -32,8 +32,8 @@ public:
     [[nodiscard]] DiagramText statements();
     /// What arrives at a <connectionPointIn>: the condition of a transition drawn as a diagram.
     [[nodiscard]] std::string expressionAt(pugi::xml_node connectionPointIn);
-    /// Statements that the last expressions need and that nobody took: calls of blocks, edges.
-    [[nodiscard]] bool hasStatements() const;
+    /// Statements that the expressions so far need: calls of blocks, edges. Empty: none.
+    [[nodiscard]] std::string pendingStatements() const;
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> variables() const;
 
 private:

@@ -177,13 +177,13 @@ private:
 
     /// Id, folder and what an earlier import kept of the unit.
     void identify(pugi::xml_node element, const File* file, const std::string& name) {
+        ++m_out.report.units[std::string(localNameOf(element))];
         if (isPlain()) return;
         for (const auto& [key, xml] : at(at(at(m_side, "units"), name), "data").items())
             if (xml.is_string()) appendXml(addDataOf(element), xml.get<std::string>());
         pugi::xml_node data = XmlWriter::data(element, (std::string(kVendor) + "objectid").c_str(), "discard");
         data.append_child("ObjectId").text().set(idOf(name).c_str());
         if (file) m_folders[file->folder].push_back(name);
-        ++m_out.report.units[std::string(localNameOf(element))];
     }
     static std::string_view localNameOf(pugi::xml_node element) { return localName(element); }
     static pugi::xml_node addDataOf(pugi::xml_node element) {
@@ -218,7 +218,7 @@ private:
                 writer.lose(remarks::PropertyNotInEdition(name + "." + std::string(property->name.text)));
             if (!pou.extends.empty() || !pou.implements.empty()) writer.lose(remarks::InheritanceNotInEdition(name));
             writer.documentation(node, pou.comment);
-            return;
+            return identify(node, &file, name);
         }
         for (const syntax::Pou* method : pou.methods) writeMethod(node, *method, name, file);
         for (const syntax::Property* property : pou.properties) writeProperty(node, *property, name, file);
@@ -358,6 +358,7 @@ private:
         if (type.initial) writer.value(node.append_child("initialValue"), *type.initial);
         if (isPlain()) {
             if (type.spec && type.spec->extends) writer.lose(remarks::InheritanceNotInEdition(name));
+            identify(node, &file, name);
             return writer.documentation(node, type.comment);
         }
         writer.plainText(node, textOfType(*file.tree, *file.view, type));
@@ -385,7 +386,10 @@ private:
             node = node.append_child("globalVars");
             node.append_attribute("name") = list.name.c_str();
             for (const syntax::GlobalList* each : list.sections) writeList(node, *each->section, writer);
-            if (isPlain()) continue;
+            if (isPlain()) {
+                identify(node, list.file, list.name);
+                continue;
+            }
             const SourceView& view = *list.file->view;
             const uint32_t begin = view.leadingBegin(list.range.begin);
             std::string text = trimmedLines(view.all().substr(begin, view.trailingEnd(list.range.end) - begin));

@@ -76,11 +76,16 @@ private:
         m_product = attribute(header, "productName");
         Json& source = m_out.side["source"];
         source["format"] = isEdition0201(project) ? "PLCopen XML 0201" : "PLCopen XML 0200";
-        // Beremiz and OpenPLC write the name that the project has, "Unnamed" as a rule; nobody else writes 0201
-        if (const bool isNamed = !m_product.empty() && m_product != "Unnamed"; !isNamed && isEdition0201(project))
-            m_product = "Beremiz or OpenPLC,";
+        // Beremiz and OpenPLC write the name that the project has where others have that of the tool; few write 0201
+        if (isEdition0201(project) && !isTool(m_product)) m_product = "Beremiz or OpenPLC,";
         if (!m_product.empty()) source["product"] = m_product + " " + attribute(header, "productVersion");
         if (const std::string company = attribute(header, "companyName"); !company.empty()) source["company"] = company;
+    }
+    static bool isTool(const std::string& product) {
+        const std::string folded = foldCase(product);
+        constexpr std::string_view kTools[] = {"stepwise", "codesys", "twincat", "cockpit", "beremiz", "openplc"};
+        return std::any_of(std::begin(kTools), std::end(kTools),
+                           [&](std::string_view tool) { return folded.find(tool) != std::string::npos; });
     }
     static bool isEdition0201(pugi::xml_node project) {
         return std::string_view(project.attribute("xmlns").value()).ends_with("tc6_0201");

@@ -131,6 +131,24 @@ std::string valueText(pugi::xml_node holder) {
     return {};
 }
 
+namespace {
+
+/// Of a STRING, Beremiz writes the text without quotation marks: "1234" is six characters, and 12 is no number.
+std::string initialText(pugi::xml_node variable) {
+    std::string value = valueText(childOf(variable, "initialValue"));
+    if (value.empty() || !childOf(childOf(variable, "type"), "string")) return value;
+    const auto first = static_cast<unsigned char>(value.front());
+    if (first != '"' && !std::isdigit(first)) return value; // a literal, or the name of a constant
+    std::string text = "'";
+    for (const char c : value) {
+        if (c == '\'') text += '$';
+        text += c;
+    }
+    return text + "'";
+}
+
+} // namespace
+
 std::string variableText(pugi::xml_node variable, const std::string& indent) {
     const std::string comment = trimmed(textOf(childOf(variable, "documentation")));
     const bool isLong = comment.find('\n') != std::string::npos;
@@ -139,7 +157,7 @@ std::string variableText(pugi::xml_node variable, const std::string& indent) {
     out += indent + attribute(variable, "name");
     if (const std::string address = attribute(variable, "address"); !address.empty()) out += " AT " + address;
     out += " : " + typeText(childOf(variable, "type"), indent) + constructorText(variable);
-    if (const std::string value = valueText(childOf(variable, "initialValue")); !value.empty()) out += " := " + value;
+    if (const std::string value = initialText(variable); !value.empty()) out += " := " + value;
     out += ";";
     if (!comment.empty() && !isLong) out += " // " + comment;
     return out + "\n";

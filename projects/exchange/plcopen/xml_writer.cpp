@@ -203,19 +203,30 @@ void XmlWriter::value(pugi::xml_node holder, const syntax::Expr& expr) const {
     holder.append_child("simpleValue").append_attribute("value") = m_source.text(&expr).c_str();
 }
 
+/// Version 0201 has no constructors; named arguments are also the initial values of members.
+void XmlWriter::membersOfConstructor(pugi::xml_node variable, const syntax::TypeSpec& spec) const {
+    const syntax::TypeSpec* inner = &spec;
+    while (inner->kind == syntax::TypeSpecKind::Array && inner->element) inner = inner->element;
+    if (inner->constructor.empty() && inner->constructors.empty()) return;
+    const bool isNamed = std::all_of(inner->constructor.begin(), inner->constructor.end(),
+                                     [](const syntax::Argument& each) { return each.name.isValid() && each.value; });
+    pugi::xml_node initial = variable.child("initialValue");
+    if (inner != &spec || !isNamed || !inner->constructors.empty() || (initial && !initial.child("structValue")))
+        return lose(remarks::ConstructorNotInEdition(std::string(variable.attribute("name").value())));
+    if (!initial) initial = variable.append_child("initialValue");
+    pugi::xml_node structure = initial.child("structValue");
+    if (!structure) structure = initial.append_child("structValue");
+    for (const syntax::Argument& each : inner->constructor) {
+        pugi::xml_node node = structure.append_child("value");
+        node.append_attribute("member") = std::string(each.name.text).c_str();
+        value(node, *each.value);
+    }
+}
+
 /// fb : Motor(speed := 5)
 void XmlWriter::constructor(pugi::xml_node variable, const syntax::TypeSpec& spec) const {
+    if (isPlain()) return membersOfConstructor(variable, spec);
     if (spec.constructor.empty()) return;
-    if (isPlain()) {
-        pugi::xml_node structure = variable.append_child("initialValue").append_child("structValue");
-        for (const syntax::Argument& each : spec.constructor) {
-            if (!each.value) continue;
-            pugi::xml_node node = structure.append_child("value");
-            node.append_attribute("member") = std::string(each.name.text).c_str();
-            value(node, *each.value);
-        }
-        return;
-    }
     pugi::xml_node list =
         data(variable, "http://www.3s-software.com/plcopenxml/inputassignments").append_child("InputAssignments");
     for (const syntax::Argument& each : spec.constructor) {

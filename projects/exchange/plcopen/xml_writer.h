@@ -42,6 +42,7 @@ private:
     void arrayType(pugi::xml_node holder, const syntax::TypeSpec& spec) const;
     void enumType(pugi::xml_node holder, const syntax::TypeSpec& spec) const;
     void constructor(pugi::xml_node variable, const syntax::TypeSpec& spec) const;
+    void membersOfConstructor(pugi::xml_node variable, const syntax::TypeSpec& spec) const;
     [[nodiscard]] std::string pathText(const syntax::Path& path) const;
     Edition m_edition;
     const SourceView& m_source;

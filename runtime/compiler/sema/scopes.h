@@ -38,6 +38,7 @@ struct Scope {
     Unit* unit = nullptr;
     Space* space = nullptr;
     const syntax::SyntaxFile* file = nullptr;
+    TypeId structure{}; // whose fields get their initial values: THIS and the other fields are this one's
 };
 
 enum class Storage : uint8_t {

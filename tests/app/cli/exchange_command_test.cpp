@@ -2,6 +2,8 @@
 // use; `stepwise check` of a file of TwinCAT reads the program in it.
 #include "tests/app/cli/command_fixture.h"
 
+#include "projects/storage/project_file.h"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -26,6 +28,7 @@ TEST_F(ExchangeCommands, AFileBecomesAProjectThatRunsAndGoesOutAgain) {
     EXPECT_NE(read("machine.xml").find("tc6_0200"), std::string::npos);
     EXPECT_EQ(command({"export", path("machine"), "--to", path("plain.xml"), "--version", "0201"}), cli::kGood) << err;
     EXPECT_NE(read("plain.xml").find("tc6_0201"), std::string::npos);
+    EXPECT_NE(out.find("units: pou 1; bodies: ST 1"), std::string::npos) << out;
     EXPECT_EQ(command({"import", path("plain.xml"), "--to", path("again")}), cli::kGood) << err;
     EXPECT_EQ(read("again/src/MAIN.st"), read("machine/src/MAIN.st"));
 }
@@ -86,6 +89,41 @@ TEST_F(ExchangeCommands, TheEncodingOfASourceIsKeptUnlessUtf8IsAsked) {
     EXPECT_NE(read("p.st").find("n : INT;"), std::string::npos);
     EXPECT_EQ(command({"fmt", path("p.st"), "--utf8"}), cli::kGood) << err;
     EXPECT_NE(read("p.st").find("// \xC3\xA9\n"), std::string::npos);
+}
+
+/// A program whose comment has every letter of a code page; a formatter has work with it.
+std::string programWithLettersOf(const std::string& page, std::string& utf8) {
+    const auto encoding = projects::encodingNamed(page);
+    EXPECT_TRUE(encoding) << page;
+    std::string bytes = "PROGRAM P // ";
+    for (int byte = 0xA1; byte <= 0xFF; ++byte) bytes += static_cast<char>(byte);
+    bytes += "\nVAR\nn:INT;\nEND_VAR\nn:=1;\nEND_PROGRAM\n";
+    utf8 = projects::decodeText(bytes, encoding).text;
+    return bytes;
+}
+
+TEST_F(ExchangeCommands, EveryCodePageIsImportedKeptAndConvertedWhenAsked) {
+    ASSERT_EQ(projects::codePageNames().size(), 12u);
+    for (const std::string& page : projects::codePageNames()) {
+        std::string utf8;
+        const std::string bytes = programWithLettersOf(page, utf8);
+        const std::string letters = bytes.substr(0, bytes.find('\n') + 1);
+        write(page + ".st", bytes);
+        EXPECT_EQ(command({"import", path(page + ".st"), "--encoding", page, "--to", path("in" + page)}), cli::kGood)
+            << page << err;
+        EXPECT_EQ(read("in" + page + "/src/" + page + ".st"), utf8) << page;
+
+        std::filesystem::create_directories(path(page + "/src"));
+        write(page + "/project.json", "{\"name\": \"p\", \"encoding\": \"" + page + "\"}");
+        write(page + "/src/p.st", bytes);
+        EXPECT_EQ(command({"check", path(page)}), cli::kGood) << page << err;
+        EXPECT_EQ(command({"fmt", path(page + "/src/p.st")}), cli::kGood) << page << err;
+        EXPECT_EQ(read(page + "/src/p.st").substr(0, letters.size()), letters) << page << ": as found";
+        EXPECT_NE(read(page + "/src/p.st").find("n : INT;"), std::string::npos) << page;
+        EXPECT_EQ(command({"fmt", path(page + "/src/p.st"), "--utf8"}), cli::kGood) << page << err;
+        EXPECT_EQ(read(page + "/src/p.st").substr(0, utf8.find('\n')), utf8.substr(0, utf8.find('\n'))) << page;
+        EXPECT_EQ(command({"check", path(page)}), cli::kGood) << page << err;
+    }
 }
 
 } // namespace

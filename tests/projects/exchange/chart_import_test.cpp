@@ -158,6 +158,36 @@ TEST_F(ChartImport, ConditionsAsReferencesVariablesAndContacts) {
               "TRANSITION FROM S3 TO S1 := a AND NOT b; END_TRANSITION\n");
 }
 
+TEST_F(ChartImport, BlocksThatConditionsAreDrawnWithAreCalledInEveryScan) {
+    const auto input = [](const char* pin, const char* from) {
+        return "<variable formalParameter=\"" + std::string(pin) + "\"><connectionPointIn><connection refLocalId=\"" +
+               from + "\"/></connectionPointIn></variable>";
+    };
+    const std::string timer =
+        "<inVariable localId=\"7\"><position x=\"0\" "
+        "y=\"0\"/><connectionPointOut/><expression>a</expression></inVariable>"
+        "<inVariable localId=\"8\"><position x=\"0\" y=\"0\"/><connectionPointOut/><expression>T#30ms</expression>"
+        "</inVariable><block localId=\"9\" typeName=\"TON\" instanceName=\"t\"><position x=\"0\" y=\"0\"/>"
+        "<inputVariables>" +
+        input("IN", "7") + input("PT", "8") +
+        "</inputVariables><inOutVariables/><outputVariables><variable formalParameter=\"Q\"><connectionPointOut/>"
+        "</variable></outputVariables></block>";
+    const std::string drawn = "<transition localId=\"2\"><position x=\"0\" y=\"0\"/>" + in({"1"}) +
+                              "<condition><connectionPointIn><connection refLocalId=\"9\" formalParameter=\"Q\"/>"
+                              "</connectionPointIn></condition></transition>";
+    EXPECT_EQ(
+        chart(step("1", "Init", {}, "initialStep=\"true\"") + drawn + step("3", "Run", {"2"}) +
+                  transition("4", "NOT a", {"3"}) + jump("5", "Init", {"4"}) + timer,
+              "<localVars><variable name=\"a\"><type><BOOL/></type></variable><variable name=\"CallBlocks\"><type>"
+              "<BOOL/></type></variable><variable name=\"t\"><type><derived name=\"TON\"/></type></variable>"
+              "</localVars>"),
+        "INITIAL_STEP Init:\n    CallBlocks_(S);\nEND_STEP\nTRANSITION FROM Init TO Run := t.Q; END_TRANSITION\n"
+        "STEP Run:\nEND_STEP\nTRANSITION FROM Run TO Init := NOT a; END_TRANSITION\n\n"
+        "ACTION CallBlocks_:\nt(IN := a, PT := T#30ms);\nEND_ACTION\n");
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_NE(imported.report.toText().find("the action CallBlocks_"), std::string::npos);
+}
+
 TEST_F(ChartImport, StepActionsOfCodesysBecomeAssociations) {
     const std::string data =
         "<addData><data name=\"http://www.3s-software.com/plcopenxml/sfc/element\" "

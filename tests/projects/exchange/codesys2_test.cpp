@@ -98,7 +98,7 @@ TEST_F(Codesys2, AFunctionChartBecomesStatementsInItsOrder) {
 
 TEST_F(Codesys2, AChartWithAnythingUnknownIsKeptWithItsLine) {
     for (const std::string& body :
-         {element(1, "_MACRO", ""), source(1, "a") + target(2, "y", from(1, 0), "_OTHER"),
+         {element(1, "_ODD", ""), source(1, "a") + target(2, "y", from(1, 0), "_OTHER"),
           box(1, "Elsewhere", "f", {}, 1), std::string("_ELEMENT\n_ID: 1\n"), std::string("nonsense\n"),
           box(1, "TON", "t", {}, 1) + target(2, "y", from(1, 99))}) {
         write("odd.EXP", unit("PROGRAM Odd", "\ta, y : BOOL;\n", "_CFC_BODY\n" + body, "END_PROGRAM"));
@@ -106,6 +106,94 @@ TEST_F(Codesys2, AChartWithAnythingUnknownIsKeptWithItsLine) {
         EXPECT_EQ(imported.report.losses(), 1u) << body << imported.report.toText();
         EXPECT_FALSE(imported.side["units"]["Odd"]["archive"].empty());
     }
+}
+
+TEST_F(Codesys2, LinesLeadThroughTheBordersOfMacros) {
+    // a goes into the macro and through its box (out of it negated); inside is another macro that only passes on
+    const std::string macro =
+        element(30, "_MACRO",
+                "_TEXT: Delay\n_INPUTS: 2\n_IN\n" + from(1, 0) + "_PINNAME: (*go*)\n_END\n_IN\n" + from(2, 0, true) +
+                    "_PINNAME: x\n_END\n_OUTPUTS: 1\n_OUT\n_NEGATE: 1\n" + "_CONNECTOR: \n_PINNAME: q\n_END\n");
+    const std::string inner = element(40, "_MACRO",
+                                      "_TEXT: Wire\n_INPUTS: 1\n_IN\n" + from(31, 0) +
+                                          "_END\n_OUTPUTS: 1\n_OUT\n_NEGATE: 0\n_CONNECTOR: \n_END\n");
+    const auto pin = [](int id, const std::string& type, int of, int number, const std::string& rest) {
+        return "_ELEMENT\n_ID: " + std::to_string(id) + "\n_MACROID: " + std::to_string(of) +
+               "\n_POS: 1, 1\n_TYPE: " + type + "\n_MACROIDX: " + std::to_string(number) + "\n" + rest + "_END\n";
+    };
+    const std::string body =
+        "_CFC_BODY\n" + source(1, "a") + source(2, "b") + macro + inner + pin(31, "_INPIN", 30, 1, "_CONNECTOR: \n") +
+        pin(32, "_INPIN", 30, 2, "_CONNECTOR: \n") + pin(41, "_INPIN", 40, 1, "_CONNECTOR: \n") +
+        pin(42, "_OUTPIN", 40, 1, "_INPUTID: 41\n_INPUTIDX: 0\n") + source(5, "T#1s") +
+        box(6, "TON", "t", {from(40, 0), from(5, 0)}, 2) + box(7, "AND", "", {from(6, 0), from(32, 0)}, 1) +
+        pin(33, "_OUTPIN", 30, 1, "_INPUTID: 7\n_INPUTIDX: 0\n") + target(8, "y", from(30, 0));
+    write("macro.EXP", unit("PROGRAM Macros", "\ta, b, y : BOOL; t : TON;\n", body, "END_PROGRAM"));
+    const Imported imported = folder("macro.EXP");
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_EQ(errorsOf(imported), "");
+    const std::string text = fileOf(imported, "src/Macros.st");
+    EXPECT_NE(text.find("t(IN := a, PT := T#1s);\ny := NOT (t.Q AND NOT b);\n"), std::string::npos) << text;
+}
+
+TEST_F(Codesys2, ACircleOfMacroPinsIsKeptWithItsLine) {
+    const std::string macro = element(1, "_MACRO",
+                                      "_TEXT: M\n_INPUTS: 1\n_IN\n" + from(1, 0) +
+                                          "_END\n_OUTPUTS: 1\n_OUT\n_NEGATE: 0\n_CONNECTOR: \n_END\n");
+    const std::string pins =
+        "_ELEMENT\n_ID: 2\n_MACROID: 1\n_TYPE: _INPIN\n_MACROIDX: 1\n_CONNECTOR: \n_END\n"
+        "_ELEMENT\n_ID: 3\n_MACROID: 1\n_TYPE: _OUTPIN\n_MACROIDX: 1\n_INPUTID: 2\n_INPUTIDX: 0\n_END\n";
+    for (const std::string& output : {from(1, 0), from(1, 7), from(2, 0)}) {
+        write("odd.EXP", unit("PROGRAM Odd", "\ty : BOOL;\n", "_CFC_BODY\n" + macro + pins + target(9, "y", output),
+                              "END_PROGRAM"));
+        EXPECT_EQ(folder("odd.EXP").report.losses(), 1u) << output;
+    }
+}
+
+TEST_F(Codesys2, ADrawnActionBelongsToItsUnitWithItsVariables) {
+    const std::string contact = "_LD_CONTACT\n", sign = "_EXPRESSION\n_POSITIV\n";
+    write("p/Main.EXP",
+          unit("PROGRAM Main", "\ta, b, y : BOOL;\n", "Drawn;\nPlain;", "END_PROGRAM") +
+              "ACTION Drawn:\n_LD_BODY\n_NETWORKS : 1\n_NETWORK\n_COMMENT\n''\n_END_COMMENT\n_LD_ASSIGN\n_LD_AND\n"
+              "_LD_OPERATOR : 2\n" +
+              contact + "a\n" + sign + contact + "b\n_EXPRESSION\n_NEGATIV\n" + sign + sign +
+              "ENABLELIST : 0\nENABLELIST_END\n_OUTPUTS : 1\n_OUTPUT\n_POSITIV\n_NO_SET\ny\nEND_ACTION\n"
+              "ACTION Plain:\n(* @TEXT_IMPLEMENTATION := 'ST' *)\na := NOT a;\nEND_ACTION\n");
+    const Imported imported = folder("p");
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_EQ(imported.report.bodies.at("LD"), 1);
+    EXPECT_EQ(errorsOf(imported), "");
+    const std::string text = fileOf(imported, "src/Main.st");
+    EXPECT_NE(text.find("ACTION Drawn:\ny := a AND NOT b;\nEND_ACTION"), std::string::npos) << text;
+    EXPECT_NE(text.find("a := NOT a;"), std::string::npos) << text;
+    EXPECT_FALSE(imported.side["units"]["Main.Drawn"]["archive"].empty());
+}
+
+TEST_F(Codesys2, BlocksOfUtilAreKnownWithoutTheListOfLibraries) {
+    write("siren.EXP",
+          unit("PROGRAM Siren", "\tblnk : BLINK; y : BOOL; scale : LIN_TRAFO;\n",
+               "_CFC_BODY\n" + source(1, "TRUE") + source(2, "T#1s") + source(3, "T#2s") +
+                   box(4, "BLINK", "blnk", {from(1, 0), from(2, 0), from(3, 0)}, 1) + target(5, "y", from(4, 0)),
+               "END_PROGRAM"));
+    const Imported imported = folder("siren.EXP");
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_EQ(imported.libraries, std::set<std::string>{"util"});
+    EXPECT_NE(imported.report.toText().find("the project uses the library util"), std::string::npos);
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_NE(fileOf(imported, "src/Siren.st").find("blnk(ENABLE := TRUE, TIMELOW := T#1s, TIMEHIGH := T#2s);"),
+              std::string::npos);
+}
+
+TEST_F(Codesys2, WhatIsDrawnAndNotReadSaysWhy) {
+    const auto kindOf = [&](const std::string& body) {
+        write("odd.EXP", unit("PROGRAM Odd", "\ta, y : BOOL; f : Elsewhere;\n", body, "END_PROGRAM"));
+        const Imported imported = folder("odd.EXP");
+        EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+        EXPECT_NE(fileOf(imported, "src/Odd.st").find("f : Elsewhere;"), std::string::npos); // what is declared is kept
+        return imported.report.notes.front().kind;
+    };
+    EXPECT_EQ(kindOf("_CFC_BODY\n" + box(1, "Elsewhere", "f", {}, 1)), NoteKind::DrawnBlockUnknown);
+    EXPECT_EQ(kindOf("_CFC_BODY\n" + element(1, "_ODD", "")), NoteKind::DrawnBodyNotRead);
+    EXPECT_EQ(kindOf("_SFC_BODY\n_STEP\nInit\n"), NoteKind::DrawnBodyNotRead);
 }
 
 /// Lines of a chart in XML end at a connector without a name, which has a line to where they begin.

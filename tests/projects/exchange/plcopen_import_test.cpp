@@ -133,19 +133,40 @@ TEST_F(PlcopenImport, ParagraphsOfBeremizBecomeLines) {
     EXPECT_EQ(toProject(imported).buildInput().addressing, image::Addressing::Words);
 }
 
-TEST_F(PlcopenImport, ProjectsOfBeremizAreKnownByTheirVersionWhenTheyHaveNoName) {
+TEST_F(PlcopenImport, ProjectsOfBeremizAreKnownByTheirVersionWhateverTheirName) {
     const Imported imported = import(
         "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><fileHeader companyName=\"Unknown\" "
-        "productName=\"Unnamed\" productVersion=\"1\"/><contentHeader name=\"B\"/><types><dataTypes/><pous>" +
+        "productName=\"Filling line\" productVersion=\"1\"/><contentHeader name=\"B\"/><types><dataTypes/><pous>" +
         pou("M", "program",
-            "<localVars>" + variable("n", "<derived name=\"HMI_INT\"/>") +
-                variable("log", "<derived name=\"LOGGER\"/>") + "</localVars>",
+            "<localVars>" + variable("control", "<derived name=\"PID\"/>") +
+                variable("n", "<derived name=\"HMI_INT\"/>") + variable("log", "<derived name=\"LOGGER\"/>") +
+                "</localVars>",
             st("{if (ready()) __SET_VAR(data__-&gt;,N, 2)}\nlog(TRIG := n &gt; 3, LEVEL := DEBUG); n := %MW1;")) +
         "</pous></types><instances><configurations/></instances></project>");
     EXPECT_EQ(errorsOf(imported), "");
     EXPECT_EQ(imported.addressing, image::Addressing::Words);
     EXPECT_NE(fileOf(imported, "src/M.st").find("(* C:if (ready()) __SET_VAR(data__->,N, 2)*)"), std::string::npos);
-    EXPECT_EQ(imported.report.losses(), 3u); // the code in C, LOGGER and its levels
+    EXPECT_EQ(imported.report.losses(), 3u);                        // the code in C, LOGGER and its levels
+    EXPECT_EQ(imported.libraries, std::set<std::string>{"analog"}); // PID of Annex F
+}
+
+TEST_F(PlcopenImport, TheTextOfAStringMayHaveNoQuotationMarks) {
+    const auto text = [](const char* name, const char* type, const char* value) {
+        return "<variable name=\"" + std::string(name) + "\"><type><" + type +
+               "/></type><initialValue><simpleValue value=\"" + value + "\"/></initialValue></variable>";
+    };
+    const Imported imported =
+        import(document(pou("M", "program",
+                            "<localVars>" + text("a", "string", "&quot;it's 5&quot;") + text("b", "string", "12") +
+                                text("c", "string", "'as it is'") + text("d", "wstring", "&quot;wide&quot;") +
+                                text("e", "INT", "12") + text("f", "string", "") + "</localVars>",
+                            st("e := e + LEN(a);"))));
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_NE(fileOf(imported, "src/M.st")
+                  .find("    a : STRING := '\"it$'s 5\"';\n    b : STRING := '12';\n    c : STRING := 'as it is';\n"
+                        "    d : WSTRING := \"wide\";\n    e : INT := 12;\n    f : STRING;\n"),
+              std::string::npos)
+        << fileOf(imported, "src/M.st");
 }
 
 TEST_F(PlcopenImport, TypesForPanelsOfBeremizAreDeclared) {

@@ -186,6 +186,28 @@ TEST_F(RoundTrip, WhatTheFormatHasNoPlaceForHasItsLine) {
     EXPECT_FALSE(has(codesys, "F.M")) << codesys.toText();
 }
 
+TEST_F(RoundTrip, ConstructorsInVersion0201AreInitialValuesOrHaveTheirLine) {
+    write("p/project.json", "{\"name\":\"p\"}");
+    write("p/src/a.st", "FUNCTION_BLOCK M\nVAR_INPUT a, b : INT; END_VAR\nEND_FUNCTION_BLOCK\n"
+                        "FUNCTION_BLOCK N\nVAR_INPUT b : INT; END_VAR\nMETHOD FB_Init : BOOL\nVAR_INPUT bInitRetains, "
+                        "bInCopyCode : BOOL; x : INT; END_VAR\nEND_METHOD\nEND_FUNCTION_BLOCK\nPROGRAM P\nVAR\n"
+                        "    named : M(a := 1) := (b := 2);\n    positional : N(5) := (b := 3);\n"
+                        "    several : ARRAY[1..2] OF N[(1), (2)];\nEND_VAR\nEND_PROGRAM\n");
+    const auto project = projects::openProject({path("p")});
+    ASSERT_TRUE(project) << project.error().english();
+    Report report;
+    const std::string xml = exported(*project, Edition::Plain0201, &report);
+    const std::string text = report.toText();
+    EXPECT_EQ(text.find("arguments of named"), std::string::npos) << text;
+    EXPECT_NE(text.find("arguments of positional"), std::string::npos) << text;
+    EXPECT_NE(text.find("arguments of several"), std::string::npos) << text;
+    EXPECT_EQ(xml.find("member=\"\""), std::string::npos);
+    const Imported again = import(xml);
+    EXPECT_NE(fileOf(again, "src/P.st").find("    named : M := (b := 2, a := 1);\n    positional : N := (b := 3);\n"),
+              std::string::npos)
+        << fileOf(again, "src/P.st");
+}
+
 TEST_F(RoundTrip, SourcesWithErrorsOfSyntaxAreRefusedWithTheirPlace) {
     const auto project = projects::openProject({write("bad.st", "PROGRAM P\nx := ;\nEND_PROGRAM\n")});
     ASSERT_TRUE(project);

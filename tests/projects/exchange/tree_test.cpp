@@ -196,5 +196,40 @@ TEST_F(ProjectTrees, WhatIsCancelledOrRefusedLeavesNothingBehind) {
     EXPECT_TRUE(std::filesystem::exists(path("empty/Oven/project.json")));
 }
 
+TEST_F(ProjectTrees, ExtensionsOfBeremizDeclareTheirVariables) {
+    write("p/plc.xml",
+          document(pou("Main", "program",
+                       "<externalVars><variable name=\"Raw\"><type><UINT/></type></variable></externalVars>"
+                       "<localVars><variable name=\"seen\"><type><UINT/></type></variable></localVars>",
+                       st("seen := Raw;")),
+                   {}, "<instances/>", {}, "Beremiz"));
+    write("p/c@c_ext/cfile.xml", "<?xml version='1.0' encoding='utf-8'?>\n<CFile>\n<variables><variable name=\"Raw\" "
+                                 "type=\"UINT\" initial=\"7\" desc=\"of the sensor\"/></variables>\n"
+                                 "<globals><![CDATA[int x;]]></globals></CFile>\n");
+    write("p/py@py_ext/pyfile.xml", "<PyFile><variables/><globals><![CDATA[x = 1]]></globals></PyFile>\n");
+    const Imported imported = folder("p");
+    EXPECT_EQ(imported.report.losses(), 2u) << imported.report.toText();
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(fileOf(imported, "src/Extensions.st"), "VAR_GLOBAL\n    Raw : UINT := 7; // of the sensor\nEND_VAR\n");
+}
+
+TEST_F(ProjectTrees, AProgramOfALibraryIsNoInstance) {
+    write("p/Visu.TcTTO",
+          "<TcPlcObject><Task Name=\"Visu\"><CycleTime>20000</CycleTime><Priority>31</Priority>"
+          "<PouCall><Name>VisuElems.Visu_Prg</Name></PouCall><PouCall><Name>MAIN</Name></PouCall></Task>"
+          "</TcPlcObject>");
+    write("p/MAIN.TcPOU",
+          "<TcPlcObject><POU Name=\"MAIN\"><Declaration><![CDATA[PROGRAM MAIN\nVAR\n\tfb_FormatString : "
+          "FB_FormatString;\n\tday : "
+          "Tc2_EtherCAT.Tc2_Utilities.TIMESTRUCT;\nEND_VAR\n]]></"
+          "Declaration><Implementation><ST><![CDATA[fb_FormatString("
+          "sFormat := '%d', arg1 := F_INT(5));]]></ST></Implementation></POU></TcPlcObject>");
+    const Imported imported = folder("p");
+    EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+    EXPECT_NE(imported.report.toText().find("VisuElems.Visu_Prg"), std::string::npos);
+    EXPECT_EQ(fileOf(imported, "src/configuration.st").find("Visu_Prg"), std::string::npos);
+    EXPECT_EQ(errorsOf(imported), ""); // a variable named like the block does not hide that the block is missing
+}
+
 } // namespace
 } // namespace plc::exchange

@@ -49,6 +49,26 @@ void evaluateAction(Context& context, const Denoted& action, SourceRange call, S
     out.push_back(evaluate);
 }
 
+bool isProgram(const Denoted& denoted) {
+    return denoted.kind == Denoted::Kind::Unit && denoted.unit->kind == UnitKind::Program;
+}
+
+/// A program may be called by its name while it has one instance (CODESYS does so); with two nobody knows which one.
+void callProgram(Context& context, const Denoted& callee, const syntax::Expr& call, SourceRange statement,
+                 std::vector<tree::Stmt*>& out) {
+    Unit& unit = *callee.unit;
+    const SourceRange name = call.base->range;
+    if (!unit.instance) {
+        context.emit(name, findings::NotCallable(phrases::NoSingleInstance(unit.name)));
+        return;
+    }
+    Denoted exact = callee;
+    // It is the program's own variable: the call needs no dispatch.
+    exact.isExact = true;
+    instanceCall(context, absolutePlace(context, unit.instance->offset, unit.type, -1, name), unit, call, exact, out,
+                 statement);
+}
+
 } // namespace
 
 /// A call as a statement: an instance, an action, a function for its effects.
@@ -57,8 +77,8 @@ void evaluateAction(Context& context, const Denoted& action, SourceRange call, S
 void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     const syntax::Expr& e = *stmt.value;
-    // Without parentheses it is a call of an action only, as CODESYS 2.3 writes it. What else is meant is worth finding
-    // out: "Compute;" comes from other languages, "x;" from a statement that was not finished.
+    // Without parentheses it is a call of an action or a program, as CODESYS 2.3 writes them. What else is meant is
+    // worth finding out: "Compute;" comes from other languages, "x;" from a statement that was not finished.
     if (e.kind != syntax::ExprKind::Call) {
         if (e.kind == syntax::ExprKind::Error) return;
         if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member ||
@@ -68,6 +88,13 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
             // noise.
             if (denoted.kind == Denoted::Kind::Nothing || hasSyntaxErrorAt(context.world, stmt.range)) return;
             if (isAction(denoted)) return evaluateAction(context, denoted, e.range, stmt.range, out);
+            if (isProgram(denoted)) {
+                syntax::Expr call;
+                call.kind = syntax::ExprKind::Call;
+                call.range = e.range;
+                call.base = stmt.value;
+                return callProgram(context, denoted, call, stmt.range, out);
+            }
             const bool callable =
                 denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard ||
                 (denoted.kind == Denoted::Kind::Place && context.isKind(denoted.place->type, TypeKind::Block));
@@ -92,21 +119,7 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
         if (unit) instanceCall(context, callee.place, *unit, e, callee, out, stmt.range);
         return;
     }
-    if (callee.kind == Denoted::Kind::Unit && callee.unit->kind == UnitKind::Program) {
-        Unit& unit = *callee.unit;
-        // A program may be called by its name while it has one instance (CODESYS does so); with two nobody knows which
-        // one.
-        if (!unit.instance) {
-            context.emit(e.base->range, findings::NotCallable(phrases::NoSingleInstance(unit.name)));
-            return;
-        }
-        Denoted exact = callee;
-        // It is the program's own variable: the call needs no dispatch.
-        exact.isExact = true;
-        instanceCall(context, absolutePlace(context, unit.instance->offset, unit.type, -1, e.base->range), unit, e,
-                     exact, out, stmt.range);
-        return;
-    }
+    if (isProgram(callee)) return callProgram(context, callee, e, stmt.range, out);
     Operand value;
     if (isAction(callee)) {
         // Actions have no parameters of their own (edition 2, 2.6.4): they work on those of their unit.

@@ -359,6 +359,13 @@ Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeI
 
 } // namespace
 
+std::optional<Denoted> fieldOfThis(Context& context, const syntax::Name& name, Access access) {
+    const TypeId structure = context.scope.structure;
+    if (!structure.isValid() || !fieldOf(context.world, structure, name.text)) return std::nullopt;
+    tree::Place* self = thisPlace(context, name.range);
+    return memberOfStruct(context, self, placeOf(self), name, name.range, access);
+}
+
 // By what is in front of the dot. Names of units, lists and namespaces are no values, so they are looked up before
 // anything is evaluated.
 Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, TypeId hint) {

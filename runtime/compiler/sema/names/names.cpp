@@ -87,8 +87,11 @@ Denoted denote(Context& context, const syntax::Expr& e, Access access, TypeId hi
         return denoteAddress(context, e);
     case ExprKind::This:
     case ExprKind::Super: {
+        // Among the initial values of a structure THIS is the structure, also where that is written in a block.
+        const bool isInStructure = context.scope.structure.isValid();
+        if (isInStructure && e.kind == ExprKind::This) return placeOf(thisPlace(context, e.range));
         // self(): the block a method or action belongs to.
-        Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
+        Unit* self = context.scope.unit && !isInStructure ? context.scope.unit->self() : nullptr;
         if (e.kind == ExprKind::Super && hasUnknownBase(self)) return {};
         if (!self || (e.kind == ExprKind::Super && !self->base)) {
             context.emit(e.range, findings::NotAllowedHere(Verbatim(e.kind == ExprKind::Super ? "SUPER" : "THIS"),
@@ -139,6 +142,10 @@ static std::optional<Denoted> foundMember(Context& context, const Found& result,
     // A variable hides a method of its name, except where it is called.
     if (result.member.variable && !(access == Access::Call && result.member.unit))
         return ofVariable(context, *result.member.variable, nullptr, name.range, access);
+    if (context.scope.structure.isValid() && (result.member.unit || result.member.property)) {
+        context.emit(name.range, findings::NotConstant());
+        return Denoted{};
+    }
     if (result.member.unit) {
         refer(context, name.range, result.member.unit->symbol, Access::Read);
         Denoted out = unitOf(*result.member.unit,
@@ -210,6 +217,9 @@ static Denoted refuseUnknown(Context& context, const syntax::Name& name) {
 
 ///   ok:    x := x + 1;      wrong: x := y;  where nothing is called y (P2001)
 Denoted found(Context& context, const Found& result, const syntax::Name& name, Access access, TypeId hint) {
+    // After everything that is declared around the structure: a field does not hide a constant of its name.
+    if (result.isNothing() && access != Access::Call)
+        if (const auto field = fieldOfThis(context, name, access)) return *field;
     if (const auto member = foundMember(context, result, name, access)) return *member;
     // After members: what the unit has itself is never ambiguous.
     if (!result.ambiguous.empty()) return refuseAmbiguous(context, result, name);
@@ -302,6 +312,12 @@ static tree::Place* instancePlace(Context& context, const Variable& variable, Ty
 /// Where the variable is, by how it is stored; null: reported.
 static tree::Place* storedPlace(Context& context, Variable& variable, TypeId type, tree::Place* instance,
                                 SourceRange range, bool isRead) {
+    // A structure's initial values are its type's: they are made without the unit it is written in.
+    const bool isOfUnit = variable.storage != Storage::None && variable.storage != Storage::Absolute;
+    if (isOfUnit && !instance && context.scope.structure.isValid()) {
+        context.emit(range, findings::NotConstant());
+        return nullptr;
+    }
     switch (variable.storage) {
     case Storage::None: // not laid out yet: only its type is asked for
         // Offset 0: bodies are only checked once everything has its place, so this one is never emitted.

@@ -28,7 +28,9 @@ tree::Place* localPlace(Context& context, uint32_t local, TypeId type, SourceRan
 
 tree::Place* thisPlace(Context& context, SourceRange range) {
     Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
-    const TypeId type = self ? self->type : context.elementary(TypeKind::Unknown);
+    const TypeId type = context.scope.structure.isValid() ? context.scope.structure
+                        : self                            ? self->type
+                                                          : context.elementary(TypeKind::Unknown);
     // A watch expression has no THIS; it is seen from an instance whose place is known.
     if (context.instanceBase) return absolutePlace(context, *context.instanceBase, type, -1, range);
     tree::Place* place = absolutePlace(context, 0, type, -1, range);

@@ -296,10 +296,12 @@ InitialValue initialOfFields(WorldBuilder& world, const StructType& made, TypeId
                     std::min(initial.bytes.size(), world.types[base].initial.size()));
     if (const auto it = world.typeInitials.find(base); fields.inherited && it != world.typeInitials.end())
         initial.dynamics = it->second.dynamics;
+    Scope scope = made.scope;
+    scope.structure = made.type;
     for (size_t i = fields.inherited; i < world.types[made.type].fields.size(); ++i) {
         const types::Field field = world.types[made.type].fields[i]; // a copy: completing others moves the table
         const syntax::VarDecl& declaration = *fields.declarations[i - fields.inherited];
-        initialiseDeclared(world, initial, field.type, field.offset, field.bit, declaration.initial, made.scope,
+        initialiseDeclared(world, initial, field.type, field.offset, field.bit, declaration.initial, scope,
                            declaration.type);
     }
     return initial;
@@ -319,6 +321,9 @@ void initialiseStruct(WorldBuilder& world, StructType& made, TypeId base, const 
     whole.bytes.resize(world.types[made.type].size);
     initialise(world, whole, made.type, 0, -1, made.initial, made.scope, nullptr);
     world.types.edit(made.type).initial = whole.bytes;
+    std::vector<DynamicInit>& dynamics = world.typeInitials[made.type].dynamics;
+    for (const DynamicInit& dynamic : whole.dynamics)
+        if (!dynamic.isConstruction || dynamic.type != made.type) dynamics.push_back(dynamic);
 }
 
 } // namespace

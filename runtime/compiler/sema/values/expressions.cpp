@@ -192,7 +192,8 @@ Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hint) {
         // THIS as a value is the pointer to the instance.
         const Denoted self = denote(context, e, Access::Address);
         if (self.kind != Denoted::Kind::Place) return unknown(context, e.range);
-        if (self.place->type.isValid() && context.isKind(self.place->type, TypeKind::Block))
+        if (self.place->type.isValid() &&
+            (context.isKind(self.place->type, TypeKind::Block) || self.place->type == context.scope.structure))
             return addressOf(context, self.place,
                              context.isExpression ? context.elementary(TypeKind::Lword)
                                                   : context.types.pointer(self.place->type),
