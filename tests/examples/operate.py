@@ -5,9 +5,9 @@
   tests/examples/operate.py --seed 7 --runs 5 --steps 200 build/dev/bin/stepwise projects/examples/*
 
 The operator's hands are the panel's: each button, switch, box, slider, selector and number of its panels, faceplates
-included, pressed for a scan, half a second or long, alone and together, and now and then the power is cut. SAFETY names
-what must hold whatever is pressed and whatever fails; CALM what must hold while no fault has been switched on. An
-example that is not named must still run without a fault of the program. Works on a copy; ends with 1 when anything failed.
+included, pressed for a scan, half a second or long, alone and together, and now and then the power is cut. SAFETY, AFTER
+and ONLY_WHEN name what must hold whatever is pressed and whatever fails; CALM what must hold while no fault has been
+switched on. Works on a copy; ends with 1 when anything failed.
 """
 import argparse
 import json
@@ -35,8 +35,12 @@ SAFETY = {
     "district_heating": ["Plant.Frozen = 0"],
     "dosing": ["Dosing.Running OR NOT Dosing.Valve"],
     "gravel": ["IO.ControlLamp OR NOT (IO.ConveyorMotor OR IO.BinValve OR IO.SiloValve)"],
+    "filter_watch": ["NOT FilterWatch.Alarm OR FilterWatch.Difference > 10.0 OR FilterWatch.Difference < 4.0", "Plant.Loss >= 0.0"],
     "heater_valve": ["NOT Heater.SensorFault OR NOT Heater.HeaterOn", "Plant.Overheats = 0",
                      "NOT PressureValve.ValveOpen OR PressureValve.PumpAlarm"],
+    "hour_meter": ["Main.Counter >= 0", "NOT Main.SensorFault OR Main.meter.q_xErr"],
+    "hourly_production": ["HourlyProduction.Total >= HourlyProduction.Produced[7] AND HourlyProduction.Total >= HourlyProduction.Produced[16]"],
+    "item_counter": ["Counters.Energy.AmountTotal >= 0.0 AND Counters.Water.AmountTotal >= 0.0"],
     "level_lamps": ["BOOL_TO_INT(IO.Red) + BOOL_TO_INT(IO.Yellow) + BOOL_TO_INT(IO.Green) = SEL(Main.WireBroken, 1, 0)"],
     "loop_tuning": ["IO.Valve >= 0.0 AND IO.Valve <= 100.0", "NOT Main.SensorFault OR IO.Valve = 0.0"],
     "mix_2_brix": ["NOT (IO.TipUp AND IO.TipDown)", "Main.MostApart <= 1"],
@@ -45,12 +49,15 @@ SAFETY = {
               "Main.K1Latch = Main.K1SetReset AND Main.K1Latch = Main.K1Steps AND Main.K1Latch = Main.latchIl.Q"
               " AND Main.K1Latch = Main.latchLadder.Q"],
     "operation_mode": ["Plant.Burnt = 0", "NOT (IO.Motor AND Main.operation.q_xErr)"],
+    "pid_pt1": ["IO.Drive >= -2000.0 AND IO.Drive <= 2000.0 OR Main.Manual", "Main.Run OR IO.Drive = 0.0"],
+    "pt1_filter": ["ABS(Main.SlowFiltered) <= 100.1 AND ABS(Main.FastFiltered) <= 100.1"],
     "pump_energy": ["NOT IO.Pump OR IO.S1", "Plant.HotRuns = 0"],
     "pump_well": ["NOT Plant.Automatic OR Main.bottom.Value OR Main.middle.Value OR NOT (IO.M1 OR IO.M2)",
                   "IO.SwitchOn OR NOT (IO.M1 OR IO.M2)"],
+    "pwm": ["NOT (Main.Positive AND Main.Negative)"],
     "rack": ["NOT Main.AxisFault OR NOT (IO.MotorX OR IO.MotorY)"],
     "robot_cnc": ["BOOL_TO_INT(IO.M1_P1) + BOOL_TO_INT(IO.M1_P2) + BOOL_TO_INT(IO.M2_P1) <= 1",
-                  "IO.L1 OR NOT (IO.M1_P1 OR IO.M1_P2 OR IO.M2_P1)", "NOT (IO.L1 AND IO.L2)", "Plant.Wrong = 0"],
+                  "IO.L1 OR NOT (IO.M1_P1 OR IO.M1_P2 OR IO.M2_P1)", "NOT (IO.L1 AND IO.L2)"],
     "robot_packing": ["Plant.Overfilled = 0", "IO.S2 OR NOT (IO.M1 OR IO.M2)"],
     "sensors": ["Main.Level <= 1000"],
     "six_pumps": ["NOT (IO.M[1] AND (IO.Service[1] OR NOT IO.Protection[1]))",
@@ -65,7 +72,25 @@ SAFETY = {
     "valve_matrix": ["PipePlant.Mixed = 0"],
     "valves": ["Plant.Shorts = 0", "NOT Main.Run OR (IO.StopPb AND IO.InterlockOk AND IO.AirOk)"],
     "wave_pump": ["NOT WavePump.SensorFault OR NOT WavePump.K1"],
-    "weigh": ["Main.Agree", "Main.Ready OR NOT Main.Valid"],
+    "weigh": ["Main.Agree", "Main.Ready OR NOT Main.Valid", "Plant.WrongWeights = 0"],
+    "workbook": ["OneShots.WithTrig = OneShots.WithOwnCode AND OneShots.WithTrig = OneShots.WithBlock", "Dozen.Count <= 12 AND Dozen.Own < 12",
+                 "Password.Unlocked = (Password.Level > 0)", "LevelSimulate.Level >= 0 AND LevelSimulate.Level <= 4000",
+                 "Sorting.Sorted[1] <= Sorting.Sorted[2] AND Sorting.Sorted[5] <= Sorting.Sorted[6] AND Sorting.Sorted[1] = Sorting.Least"],
+}
+# What follows when a condition has held for so many scans.
+AFTER = {
+    "filter_watch": [("FilterWatch.Difference > 10.0 OR FilterWatch.Difference < 4.0", 202, "FilterWatch.Alarm")],
+    "gravel": [("IO.SiloEmptyLs AND NOT Main.silence.Q", 2, "IO.Siren")],
+    "light_tower": [("NOT IO.B1", 2, "NOT IO.Red"), ("NOT IO.B2", 2, "NOT IO.Yellow"), ("IO.B3", 2, "IO.Green"),
+                    ("NOT IO.B3", 2, "NOT IO.Green")],
+    "weigh": [("Main.Command AND NOT Main.rest.Q", 1002, "Main.NeverAtRest")],
+}
+# What may change only while a condition holds: an expression, its type, the condition.
+ONLY_WHEN = {
+    "hourly_production": [("HourlyProduction.Total", "UINT",
+                           "HourlyProduction.Hour >= 7 AND HourlyProduction.Hour <= 16 OR HourlyProduction.Total = 0")],
+    "item_counter": [("Counters.Items", "UDINT", "Counters.B1 OR Counters.S1")],
+    "weigh": [("Main.NetBcd", "WORD", "Main.Valid")],
 }
 # What must hold too while no fault has been switched on.
 CALM = {
@@ -79,6 +104,7 @@ CALM = {
     "mix_2_brix": ["Plant.WrongBatches = 0", "Plant.Spilled = 0.0"],
     "pump_well": ["Plant.DryRuns = 0 OR NOT Plant.Automatic"],
     "rack": ["Plant.EndHits = 0"],
+    "robot_cnc": ["Plant.Wrong = 0"],
     "robot_packing": ["Plant.Spilled = 0", "Plant.WrongBoxes = 0"],
     "six_pumps": ["Plant.DryRun = 0"],
     "tank_manual": ["Plant.Overflow = 0"],
@@ -142,9 +168,24 @@ def hands(project):
     return found
 
 
-def scenario(rng, found, faults, steps, safety, title):
+def watched(name):
+    """What follows after a while and what changes only sometimes: variables, the start, each scan."""
+    after, only = AFTER.get(name, []), ONLY_WHEN.get(name, [])
+    variables = [f"    held{n} : DINT;" for n in range(len(after))]
+    variables += [f"    old{n} : {kind};" for n, (_, kind, _) in enumerate(only)]
+    start = [f"held{n} := 0;" for n in range(len(after))] + [f"old{n} := {value};" for n, (value, _, _) in enumerate(only)]
+    scan = []
+    for n, (condition, scans, then) in enumerate(after):
+        scan += [f"held{n} := SEL({condition}, 0, held{n} + 1);", f"ASSERT held{n} <= {scans} OR ({then});"]
+    for n, (value, _, when) in enumerate(only):
+        scan += [f"ASSERT {value} = old{n} OR ({when});", f"old{n} := {value};"]
+    return variables, start, scan
+
+
+def scenario(rng, found, faults, steps, safety, title, name):
     """One TEST: random hands, each followed by a stretch of scans with every sentence asserted in each."""
-    lines = [f"TEST '{title}'", "VAR", "    i : INT;", "END_VAR", "RUN 2 SCANS;"]
+    variables, start, scan = watched(name)
+    lines = [f"TEST '{title}'", "VAR", "    i : INT;", *variables, "END_VAR", "RUN 2 SCANS;", *start]
     isOn = {}
     targets = [t for t in sorted(found) if faults or not is_fault(t, found[t])]
 
@@ -152,6 +193,7 @@ def scenario(rng, found, faults, steps, safety, title):
         lines.append(f"FOR i := 1 TO {scans} DO")
         lines.append("    RUN 1 SCANS;")
         lines.extend(f"    ASSERT {sentence};" for sentence in safety)
+        lines.extend(f"    {line}" for line in scan)
         lines.append("END_FOR")
 
     def press(target, value):
@@ -162,6 +204,7 @@ def scenario(rng, found, faults, steps, safety, title):
         if rng.random() < 0.02:
             lines.append("POWER_OFF T#1s;")
             lines.append("RUN 1 SCANS;")
+            lines.extend(start)
         for target in rng.sample(targets, min(len(targets), rng.choice([1, 1, 1, 2]))):
             kind, values = found[target]
             if kind == "value":
@@ -210,7 +253,7 @@ def operate(options, project):
         for run in range(options.runs):
             faults = run % 2 == 1
             title = f"run {run}, seed {options.seed}, {'with' if faults else 'without'} faults"
-            text += scenario(rng, found, faults, options.steps, safety + ([] if faults else calm), title) + "\n"
+            text += scenario(rng, found, faults, options.steps, safety + ([] if faults else calm), title, project.name) + "\n"
         (copy / "tests").mkdir(exist_ok=True)
         (copy / "tests" / "operator.st").write_text(text)
         result = subprocess.run([os.path.abspath(options.stepwise), "test", str(copy)], capture_output=True, text=True,
@@ -218,7 +261,8 @@ def operate(options, project):
         if result.returncode and options.keep:
             shutil.copy(copy / "tests" / "operator.st", Path(options.keep) / f"{project.name}.st")
     verdict = "as it should be" if result.returncode == 0 else "FAILED"
-    print(f"{project.name:20} {len(found):3} hands, {len(safety):2} + {len(calm):2} sentences, {options.runs} runs: {verdict}",
+    watches = len(AFTER.get(project.name, [])) + len(ONLY_WHEN.get(project.name, []))
+    print(f"{project.name:20} {len(found):3} hands, {len(safety) + watches:2} + {len(calm):2} sentences, {options.runs} runs: {verdict}",
           flush=True)
     if result.returncode:
         print("\n".join((result.stdout + result.stderr).splitlines()[:options.lines]), flush=True)

@@ -140,6 +140,19 @@ TEST_P(Example, HasTheTestsThatTheDocumentationNames) {
     }
 }
 
+/// docs/odd_cases.md has a tick for each odd case of a system, which names its TEST.
+TEST_P(Example, HasTheTestsThatTheOddCasesName) {
+    const std::string page = textOf(folder + "/../../../docs/odd_cases.md");
+    const std::regex tick(R"-(\(\.\./projects/examples/([^/]+)/([^ )]+) "([^"]+)"\))-");
+    size_t ticks = 0;
+    for (std::sregex_iterator at(page.begin(), page.end(), tick), end; at != end; ++at, ++ticks) {
+        if ((*at)[1] != GetParam()) continue;
+        const std::string file = (*at)[2], title = (*at)[3];
+        EXPECT_NE(textOf(folder + "/" + file).find("TEST '" + title + "'"), std::string::npos) << file << ": " << title;
+    }
+    EXPECT_GT(ticks, 200u);
+}
+
 /// Every file that a picture of a project depends on, by its path.
 std::vector<std::string> picturedFiles(const std::string& folder) {
     std::vector<std::string> files = {"docs/pictures.txt", "project.json"};
