@@ -1,6 +1,7 @@
 // What is said of loops that were made to be ill in a known way.
 #include "projects/tuning/health.h"
 #include "projects/tuning/loop.h"
+#include "projects/tuning/loop_report.h"
 #include "projects/tuning/proposal.h"
 #include "projects/tuning/rules.h"
 #include "tests/projects/tuning/processes.h"
@@ -230,6 +231,17 @@ TEST(Health, TheCauseIsToldApartOverLoopsByChance) {
     // nobody takes out a valve that is well
     EXPECT_LT(100 * (said[Cause::Tuning][Cause::Stiction] + said[Cause::Outside][Cause::Stiction]),
               5 * (all[Cause::Tuning] + all[Cause::Outside]));
+}
+
+TEST(Health, FiguresOfADayAreWrittenWithoutPowersOfTen) {
+    Health health;
+    health.duration = 86'400;
+    health.integratedError = 12'345.6;
+    health.effort = 0.25;
+    const auto rows = healthRows(health);
+    EXPECT_EQ(rows[0].second, "86400 s");
+    EXPECT_EQ(rows[3].second, "12346");
+    EXPECT_EQ(rows[4].second, "0.25");
 }
 
 TEST(Health, AnOscillationAroundAnOffsetIsSeen) {
