@@ -277,15 +277,12 @@ QStringList described(const std::vector<loops::ConstantEdit>& edits) {
 }
 } // namespace
 
-/// All of them before one scan; those that are constants in the text follow as an online change.
-bool TuningView::put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits) {
+/// All before one scan, with what lets the output continue from where it is.
+bool TuningView::writeTogether(std::vector<loops::ParameterWrite> wanted, const Parameters& parameters) {
     session::Session* session = m_control.session();
-    if (!edits.empty() && !m_control.isUpToDate()) {
-        emit message(tr("The text was changed since the controller was started: change the constants after the next "
-                        "start or online change."),
-                     true);
-        return false;
-    }
+    for (loops::ParameterWrite& write :
+         loops::bumplessWrites(parameters.loop, *session->program(), session->snapshot(), parameters.values))
+        wanted.push_back(std::move(write));
     std::vector<session::Assignment> values;
     for (const loops::ParameterWrite& write : wanted) {
         const auto value = loops::valueFor(*session->program(), write.path, write.value);
@@ -296,14 +293,58 @@ bool TuningView::put(const std::vector<loops::ParameterWrite>& wanted, const std
         values.push_back({write.path, *value});
     }
     if (!values.empty()) session->writeTogether(std::move(values), tr("Tuning").toStdString());
-    if (!edits.empty()) {
-        std::map<QString, std::vector<diagnostics::TextEdit>> byFile;
-        for (const loops::ConstantEdit& edit : edits)
-            byFile[kit::fromView(edit.place.file)].push_back({edit.place.range, edit.text});
-        emit textEdits(byFile);
-        if (m_control.isRunning()) m_control.onlineChange();
-    }
     return true;
+}
+
+/// All of them before one scan; those that are constants in the text follow as an online change.
+bool TuningView::put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits,
+                     const Parameters& parameters) {
+    if (!edits.empty() && !m_control.isUpToDate()) {
+        emit message(tr("The text was changed since the controller was started: change the constants after the next "
+                        "start or online change."),
+                     true);
+        return false;
+    }
+    Parameters changed{parameters.loop,
+                       loops::writable(parameters.loop, m_control.session()->program(), parameters.values)};
+    if (!wanted.empty() && !writeTogether(wanted, changed)) return false;
+    if (edits.empty()) return true;
+    std::map<QString, std::vector<diagnostics::TextEdit>> byFile;
+    for (const loops::ConstantEdit& edit : edits)
+        byFile[kit::fromView(edit.place.file)].push_back({edit.place.range, edit.text});
+    emit textEdits(byFile);
+    if (!m_control.isRunning()) return true;
+    for (const tuning::ParameterValue& value : parameters.values)
+        if (std::any_of(edits.begin(), edits.end(),
+                        [&](const loops::ConstantEdit& edit) { return edit.place.member == value.member; }))
+            changed.values.push_back(value);
+    // reported when the new program waits for the end of the scan: both enter before the same one
+    connect(
+        &m_control, &RunControl::buildFinished, this,
+        [this, changed](bool isGood) {
+            if (isGood && m_control.session()) (void)writeTogether({}, changed);
+        },
+        Qt::SingleShotConnection);
+    m_control.onlineChange();
+    return true;
+}
+
+void TuningView::takeOver(const Parameters& parameters) {
+    if (!m_finding || m_finding->loop.name != parameters.loop.name || m_isSearching) return;
+    const std::vector<loops::Target> targets = loops::targetsOf(m_finding->loop, m_finding->program);
+    const auto constants = loops::callConstants(m_finding->loop, m_finding->program);
+    auto changed = std::make_shared<Finding>(*m_finding);
+    const std::vector<tuning::ParameterForm>& forms = changed->loop.form->parameters;
+    for (size_t i = 0; i < forms.size() && i < changed->settings.values.size(); ++i)
+        for (const tuning::ParameterValue& value : parameters.values)
+            if (const bool isChanged = !targets[i].path.empty() ||
+                                       std::any_of(constants.begin(), constants.end(),
+                                                   [&](const auto& each) { return each.member == value.member; });
+                value.member == forms[i].member && isChanged)
+                changed->settings.values[i] = value.value * (forms[i].unit == tuning::Unit::Milliseconds ? 1e3 : 1);
+    changed->settings.gains = tuning::gainsOf(*changed->loop.form, changed->settings.values);
+    m_finding = std::move(changed);
+    propose();
 }
 
 void TuningView::writeParameters() {
@@ -316,8 +357,16 @@ void TuningView::writeParameters() {
     const auto image = session->snapshot();
     for (const loops::ParameterWrite& write : wanted)
         before.push_back({write.path, loops::numberAt(*session->program(), image, write.path).value_or(0)});
-    if (!put(wanted, edits)) return;
+    Parameters replaced{m_finding->loop, {}};
+    for (const tuning::ParameterForm& form : m_finding->loop.form->parameters) {
+        const double value = loops::numberAt(*session->program(), image, m_finding->loop.pin(form.member)).value_or(0);
+        const bool isMilliseconds = form.unit == tuning::Unit::Milliseconds;
+        replaced.values.push_back({std::string(form.member), {}, value * (isMilliseconds ? 1e-3 : 1), false});
+    }
+    const Parameters written{m_finding->loop, m_parameters};
+    if (!put(wanted, edits, written)) return;
     m_before = std::move(before);
+    m_replaced = std::move(replaced);
     m_edited.reset();
     if (!edits.empty()) {
         m_edited.emplace(Edited{m_finding->loop, {}});
@@ -325,19 +374,23 @@ void TuningView::writeParameters() {
             m_edited->before.push_back({edit.place.member, edit.place.text, 0, false});
     }
     emit message(tr("Written: %1").arg((described(wanted) + described(edits)).join(QStringLiteral(", "))), false);
+    takeOver(written);
     refreshButtons();
 }
 
 void TuningView::takeBack() {
     const session::Session* session = m_control.session();
-    if (!session || (m_before.empty() && !m_edited)) return;
+    if (!session || !m_replaced || (m_before.empty() && !m_edited)) return;
     const std::vector<loops::ConstantEdit> edits =
         m_edited ? loops::editsFor(m_edited->loop, session->program(), m_edited->before)
                  : std::vector<loops::ConstantEdit>();
-    if (!put(m_before, edits)) return;
+    if (!put(m_before, edits, *m_replaced)) return;
     emit message(tr("Taken back: %1").arg((described(m_before) + described(edits)).join(QStringLiteral(", "))), false);
+    const Parameters replaced = *m_replaced;
     m_before.clear();
     m_edited.reset();
+    m_replaced.reset();
+    takeOver(replaced);
     refreshButtons();
 }
 

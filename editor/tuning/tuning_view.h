@@ -76,7 +76,15 @@ private:
     [[nodiscard]] size_t triedStep() const;
     [[nodiscard]] Result<loops::TrialRun> trialOf(const tuning::FoundStep& step, const session::Run& run);
     void showConstants();
-    bool put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits);
+    struct Parameters { // of a block, as they shall be
+        loops::Loop loop;
+        std::vector<tuning::ParameterValue> values;
+    };
+    bool put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits,
+             const Parameters& parameters);
+    /// They are in force now: the comparison starts from them.
+    void takeOver(const Parameters& parameters);
+    bool writeTogether(std::vector<loops::ParameterWrite> wanted, const Parameters& parameters);
     void refreshButtons();
     [[nodiscard]] std::optional<loops::Loop> chosenLoop() const;
     [[nodiscard]] tuning::Wish wish() const;
@@ -99,6 +107,7 @@ private:
     std::optional<tuning::Assessment> m_now, m_proposal;
     std::vector<tuning::ParameterValue> m_parameters;
     std::vector<loops::ParameterWrite> m_before; // what the last write replaced
+    std::optional<Parameters> m_replaced;        // the same as the block had it
     struct Edited {                              // constants of a call as they were written before
         loops::Loop loop;
         std::vector<tuning::ParameterValue> before;

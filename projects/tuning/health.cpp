@@ -83,9 +83,10 @@ std::pair<size_t, size_t> longestRow(const std::vector<HalfWave>& waves) {
 }
 
 /// A valve with friction explains much better what the process does than one without, which explains little enough by
-/// itself. Limits chosen on loops by chance (tests/projects/tuning/health_test.cpp).
+/// itself: what harmonics from outside leave to both is more. Limits chosen on loops by chance, others than those of
+/// tests/projects/tuning/health_test.cpp.
 bool isSticking(const ValveFit& fit) {
-    constexpr double kBetter = 1.3, kUnexplained = 0.004, kExplained = 0.1;
+    constexpr double kBetter = 3, kUnexplained = 0.005, kExplained = 0.1;
     return fit.gain() >= kBetter && fit.without > kUnexplained + 4 * fit.noise && fit.with < kExplained;
 }
 

@@ -89,8 +89,9 @@ std::string Page::head() const {
            xmlText(m_report.name) +
            "</title>\n<style>:root{color-scheme:light}body{font-family:\"Noto Sans\",sans-serif;margin:0;"
            "padding:24px;max-width:1160px;color:#202124;background:#ffffff;overflow-wrap:break-word}"
-           "table{border-collapse:collapse}td,th{padding:2px 12px 2px 0;text-align:left;vertical-align:top}"
-           "th{border-bottom:1px solid #9aa0a6;overflow-wrap:normal}svg{max-width:100%;height:auto}</style></head>"
+           "table{border-collapse:collapse}td,th{padding:2px 10px 2px 0;text-align:left;vertical-align:top}"
+           "th{border-bottom:1px solid "
+           "#9aa0a6;font-size:80%;vertical-align:bottom}svg{max-width:100%;height:auto}</style></head>"
            "<body>\n<h1>" +
            xmlText(m_report.name) + "</h1>\n" + paragraph(errors::PageSignals(m_report.measured, m_report.input));
 }
@@ -193,12 +194,23 @@ std::vector<Message> gainWords(const Identified& model) {
     return out;
 }
 
+namespace {
+
+/// As a reader writes it: no power of ten for what has a few digits.
+std::string plainText(double value) {
+    constexpr double kMany = 1000, kTooMany = 1e9;
+    const double size = std::abs(value);
+    return size >= kMany && size < kTooMany ? numberText(std::round(value), 10) : numberText(value);
+}
+
+} // namespace
+
 std::vector<std::pair<Message, std::string>> healthRows(const Health& health) {
-    return {{errors::RowDuration(), numberText(health.duration) + " s"},
+    return {{errors::RowDuration(), plainText(health.duration) + " s"},
             {errors::RowAtLimit(), numberText(health.timeAtLimit * 100, 3) + " %"},
-            {errors::RowMeanError(), numberText(health.meanError)},
-            {errors::RowIntegratedError(), numberText(health.integratedError)},
-            {errors::RowEffort(), numberText(health.effort)},
+            {errors::RowMeanError(), plainText(health.meanError)},
+            {errors::RowIntegratedError(), plainText(health.integratedError)},
+            {errors::RowEffort(), plainText(health.effort)},
             {errors::RowNoise(), numberText(health.noise, 3)}};
 }
 

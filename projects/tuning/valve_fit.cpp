@@ -12,13 +12,12 @@ namespace plc::tuning {
 
 namespace {
 
-constexpr size_t kPerCycle = 48, kMostCycles = 14;
-constexpr double kLeastCycles = 3;
+constexpr size_t kPerCycle = 48, kMostCycles = 10;
+constexpr double kLeastCycles = 4;
 
 /// A stretch of the recording in even parts; `stride` samples make one.
 struct Stretch {
     size_t begin = 0, stride = 1, parts = 0;
-    double interval = 1; // of the parts [s]
 };
 
 std::vector<double> averaged(const std::vector<double>& values, size_t begin, const Stretch& stretch) {
@@ -28,24 +27,37 @@ std::vector<double> averaged(const std::vector<double>& values, size_t begin, co
     return out;
 }
 
-/// Where a valve with friction is for each sample of the controller's output: at rest until the output has moved by
-/// `stick` away, then it follows up to `slide` of it.
-std::vector<double> valveBehind(const std::vector<double>& input, size_t begin, size_t end, double stick,
-                                double slide) {
-    std::vector<double> out;
-    out.reserve(end - begin);
-    double at = input[begin], pull = 0;
-    for (size_t i = begin; i < end; ++i) {
-        if (i > begin) pull += input[i] - input[i - 1];
-        if (std::abs(pull) > stick) {
-            const double left = std::copysign(slide, pull);
-            at += pull - left;
-            pull = left;
+/// How a valve with friction moves: it rests until the controller's output has moved by `stick` away; then it jumps to
+/// within `slide` of it and rests again, or follows it that far behind until it turns round.
+struct Friction {
+    double stick = 0, slide = 0;
+    bool follows = false;
+};
+
+class StickingValve {
+public:
+    /// `pull`: by how much the output is away from where the valve went last.
+    StickingValve(const Friction& friction, double input, double pull)
+        : m_friction(friction), m_at(input - pull), m_input(input), m_pull(pull) {}
+    double next(double input) {
+        const double moved = input - m_input;
+        m_input = input;
+        if (m_direction * moved < 0) m_direction = 0;
+        if (m_direction != 0) return m_at += moved;
+        m_pull += moved;
+        if (std::abs(m_pull) > m_friction.stick) {
+            const double left = std::copysign(m_friction.slide, m_pull);
+            m_at += m_pull - left;
+            m_pull = left;
+            if (m_friction.follows) m_direction = std::copysign(1, left);
         }
-        out.push_back(at);
+        return m_at;
     }
-    return out;
-}
+
+private:
+    Friction m_friction;
+    double m_at, m_input, m_pull, m_direction = 0;
+};
 
 /// The process: equal lags or none and an integrator, with a dead time in parts.
 struct LagShape {
@@ -71,27 +83,45 @@ std::vector<double> responseOf(const std::vector<double>& drive, const LagShape&
     return out;
 }
 
-/// Squares that gain, offset and slope leave, the gain of the sign that the controller's says; `skip` parts at the
-/// start have not forgotten where they came from.
-double leftBy(const std::vector<double>& response, size_t delay, const std::vector<double>& measured, size_t skip,
-              double sign) {
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    double total = 0;
-    const auto count = static_cast<double>(measured.size());
-    for (size_t i = skip; i < measured.size(); ++i) {
-        const Eigen::Vector3d row(response[i - delay], 1, static_cast<double>(i) / count);
-        products.noalias() += row * row.transpose();
-        right += row * measured[i];
-        total += measured[i] * measured[i];
+/// What was measured, with the sums over it that every fit needs.
+struct Measured {
+    std::vector<double> values; // less set point, in parts
+    size_t skip = 0;            // parts at the start that have not forgotten where they came from
+    double sign = 1;            // of the process's gain
+    Eigen::Matrix2d base;       // products of offset and slope
+    Eigen::Vector2d right;      // with the values
+    double total = 0;           // squares
+};
+
+void sumUp(Measured& measured) {
+    measured.base.setZero();
+    measured.right.setZero();
+    for (size_t i = measured.skip; i < measured.values.size(); ++i) {
+        const double time = static_cast<double>(i) / static_cast<double>(measured.values.size());
+        const Eigen::Vector2d row(1, time);
+        measured.base += row * row.transpose();
+        measured.right += row * measured.values[i];
+        measured.total += measured.values[i] * measured.values[i];
     }
-    const auto solved = [&](Eigen::Index first) {
-        const Eigen::Index size = 3 - first;
-        const Eigen::VectorXd x = products.bottomRightCorner(size, size).ldlt().solve(right.tail(size));
-        return std::pair(x(0), std::max(total - x.dot(right.tail(size)), 0.0));
-    };
-    const auto [gain, left] = solved(0);
-    return gain * sign > 0 ? left : solved(1).second;
+}
+
+/// Squares that gain, offset and slope leave, the gain of the sign that the controller's says.
+double leftBy(const std::vector<double>& response, size_t delay, const Measured& measured) {
+    const double step = 1 / static_cast<double>(measured.values.size());
+    double square = 0, sum = 0, slope = 0, product = 0;
+    for (size_t i = measured.skip; i < measured.values.size(); ++i) {
+        const double value = response[i - delay];
+        square += value * value;
+        sum += value;
+        slope += value * static_cast<double>(i);
+        product += value * measured.values[i];
+    }
+    const Eigen::Vector2d across(sum, slope * step);
+    const Eigen::Matrix2d inverse = measured.base.inverse();
+    const double left = measured.total - measured.right.dot(inverse * measured.right);
+    const double own = square - across.dot(inverse * across), shared = product - across.dot(inverse * measured.right);
+    if (!(own > 0) || shared * measured.sign <= 0) return std::max(left, 0.0);
+    return std::max(left - shared * shared / own, 0.0);
 }
 
 /// Of the process's gain: against that of the controller, which the movements of output and error say.
@@ -111,74 +141,137 @@ double processSign(const std::vector<double>& input, const std::vector<double>& 
 
 struct Setting {
     Stretch stretch;
-    std::vector<double> measured; // less set point, in parts
-    size_t skip = 0;
-    double sign = 1, perCycle = kPerCycle;
+    Measured measured;
+    double perCycle = kPerCycle;
 };
 
-/// The process that leaves least behind a valve: a grid of shapes, then nearer about the best of them.
-double leastLeft(const Setting& setting, const std::vector<double>& drive) {
-    constexpr std::array kLags = {0.02, 0.06, 0.15, 0.35, 0.8, 2.0};
-    constexpr std::array kDelays = {0.0, 0.03, 0.06, 0.1, 0.15, 0.22, 0.3, 0.4};
-    double least = 1e300;
-    LagShape best;
-    size_t bestDelay = 0;
-    const auto look = [&](const LagShape& shape, const auto& delays) {
-        const std::vector<double> response = responseOf(drive, shape);
-        for (const size_t delay : delays) {
-            const double left = leftBy(response, delay, setting.measured, setting.skip, setting.sign);
-            if (left < least) least = left, best = shape, bestDelay = delay;
-        }
-    };
-    std::vector<size_t> delays;
-    for (const double delay : kDelays) delays.push_back(static_cast<size_t>(std::lround(delay * setting.perCycle)));
-    for (const double lag : kLags)
-        for (const int lags : {1, 2}) look({lags, lag * setting.perCycle, false}, delays);
-    look({0, 1, true}, delays);
-    for (const double factor : {1.5, 1.2}) {
-        const LagShape about = best;
-        delays.clear();
-        for (size_t delay = bestDelay - std::min<size_t>(bestDelay, 2); delay <= bestDelay + 2; ++delay)
-            if (delay <= setting.skip) delays.push_back(delay);
-        look(about, delays);
-        if (about.isIntegrating) break;
-        for (const double lag : {about.lag / factor, about.lag * factor}) look({about.lags, lag, false}, delays);
-    }
-    return least;
+/// A process behind a valve, and the squares that it leaves.
+struct ProcessFit {
+    LagShape shape;
+    size_t delay = 0;
+    double left = 1e300;
+};
+
+void look(const Setting& setting, const std::vector<double>& drive, const LagShape& shape,
+          const std::vector<size_t>& delays, ProcessFit& best) {
+    const std::vector<double> response = responseOf(drive, shape);
+    for (const size_t delay : delays)
+        if (const double left = leftBy(response, delay, setting.measured); left < best.left)
+            best = {shape, delay, left};
 }
 
-/// Tries valves of different friction.
+/// The best of a grid of shapes.
+ProcessFit coarseFit(const Setting& setting, const std::vector<double>& drive) {
+    constexpr std::array kLags = {0.02, 0.06, 0.15, 0.35, 0.8, 2.0};
+    constexpr std::array kDelays = {0.0, 0.03, 0.06, 0.1, 0.15, 0.22, 0.3, 0.4};
+    std::vector<size_t> delays;
+    for (const double delay : kDelays) delays.push_back(static_cast<size_t>(std::lround(delay * setting.perCycle)));
+    ProcessFit best;
+    for (const double lag : kLags)
+        for (const int lags : {1, 2}) look(setting, drive, {lags, lag * setting.perCycle, false}, delays, best);
+    look(setting, drive, {0, 1, true}, delays, best);
+    return best;
+}
+
+/// Nearer about one that nearly fits.
+ProcessFit nearFit(const Setting& setting, const std::vector<double>& drive, const ProcessFit& about,
+                   std::initializer_list<double> factors) {
+    ProcessFit best{about.shape, about.delay};
+    for (const double factor : factors) {
+        const ProcessFit now = best;
+        std::vector<size_t> delays;
+        for (size_t delay = now.delay - std::min<size_t>(now.delay, 2); delay <= now.delay + 2; ++delay)
+            if (delay <= setting.measured.skip) delays.push_back(delay);
+        look(setting, drive, now.shape, delays, best);
+        if (now.shape.isIntegrating) continue;
+        for (const double lag : {now.shape.lag / factor, now.shape.lag * factor})
+            look(setting, drive, {now.shape.lags, lag, false}, delays, best);
+    }
+    return best;
+}
+
+/// A valve to try: stick is a share of the output's range, slide of stick. Where the valve is at first is not known: it
+/// moves back when the output has come down by `turn` of its range.
+struct TriedValve {
+    Friction friction;
+    double turn = 0.9;
+};
+
 class Valves {
 public:
-    Valves(const LoopSeries& series, const Setting& setting, double range, double total)
-        : m_series(series), m_setting(setting), m_range(range), m_total(total) {}
-    void look(double stick, double slide, ValveFit& best) {
-        const Stretch& stretch = m_setting.stretch;
-        const double band = stick * m_range;
-        const std::vector<double> valve = valveBehind(
-            m_series.input, stretch.begin, stretch.begin + stretch.parts * stretch.stride, band, slide * band);
-        const double left = leastLeft(m_setting, averaged(valve, 0, stretch)) / m_total;
-        if (!(left < best.with)) return;
-        best.with = left;
-        best.band = band;
-        m_stick = stick, m_slide = slide;
+    Valves(const LoopSeries& series, const Setting& setting, double range)
+        : m_series(series), m_setting(setting), m_range(range) {
+        const auto begin = series.input.begin() + static_cast<std::ptrdiff_t>(setting.stretch.begin);
+        const auto cycle =
+            static_cast<std::ptrdiff_t>(setting.perCycle) * static_cast<std::ptrdiff_t>(setting.stretch.stride);
+        m_top = static_cast<size_t>(std::max_element(begin, begin + cycle) - begin);
     }
-    void search(ValveFit& best) {
-        for (const double stick : {0.12, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9})
-            for (const double slide : {0.0, 0.35, 0.7, 0.95})
-                if (slide == 0 || stick < 0.55) look(stick, slide, best); // else it would never turn
-        for (const double step : {0.5, 0.25})
-            for (const double toStick : {-0.1, 0.0, 0.1})
-                for (const double toSlide : {-0.3, 0.0, 0.3})
-                    if (const double stick = m_stick + step * toStick, slide = m_slide + step * toSlide;
-                        stick > 0.05 && slide >= 0 && slide < 1)
-                        look(stick, slide, best);
+    /// Of each way to move the best, then the better of the two.
+    ValveFit search() {
+        Tried best;
+        for (const bool follows : {false, true})
+            if (const Tried found = refined(coarse(follows)); found.process.left < best.process.left) best = found;
+        ValveFit out;
+        out.with = best.process.left / m_setting.measured.total;
+        out.band = best.valve.friction.stick * m_range;
+        return out;
     }
 
 private:
+    struct Tried {
+        TriedValve valve;
+        ProcessFit process;
+    };
+    [[nodiscard]] Tried coarse(bool follows) const {
+        Tried best;
+        for (const double stick : {0.12, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9})
+            for (const double slide : {0.0, 0.35, 0.7, 0.95})
+                for (const double turn : {0.8, 0.9, 0.97}) {
+                    if (slide > 0 && stick > 0.52) continue;       // it would never turn
+                    if (turn > 2 * stick && turn < 0.97) continue; // it turns before
+                    const TriedValve valve{{stick, slide, follows}, turn};
+                    take(valve, coarseFit(m_setting, behind(valve)), best);
+                }
+        return best;
+    }
+    [[nodiscard]] Tried refined(Tried best) const {
+        constexpr double kSmallest = 0.1, kWorthIt = 0.98;
+        for (double step = 1; step > kSmallest;) {
+            const Tried about = best;
+            for (const double move : {-step, step}) {
+                const Friction& friction = about.valve.friction;
+                near({{friction.stick + 0.05 * move, friction.slide, friction.follows}, about.valve.turn}, best);
+                near({{friction.stick, friction.slide + 0.15 * move, friction.follows}, about.valve.turn}, best);
+                near({friction, about.valve.turn + 0.03 * move}, best);
+            }
+            take(best.valve, nearFit(m_setting, behind(best.valve), best.process, {1.5, 1.2, 1.1}), best);
+            if (best.process.left >= kWorthIt * about.process.left) step /= 2;
+        }
+        return best;
+    }
+    void near(const TriedValve& valve, Tried& best) const {
+        const Friction& friction = valve.friction;
+        if (friction.stick < 0.05 || friction.slide < 0 || friction.slide >= 1) return;
+        take(valve, nearFit(m_setting, behind(valve), best.process, {1.15}), best);
+    }
+    static void take(const TriedValve& valve, const ProcessFit& process, Tried& best) {
+        if (process.left < best.process.left) best = {valve, process};
+    }
+    [[nodiscard]] std::vector<double> behind(const TriedValve& tried) const {
+        const Stretch& stretch = m_setting.stretch;
+        const Friction& friction = tried.friction;
+        const double band = friction.stick * m_range;
+        const double pull = std::clamp(tried.turn * m_range - band, -band, band);
+        const double* input = m_series.input.data() + stretch.begin;
+        StickingValve valve({band, friction.slide * band, friction.follows}, input[m_top], pull);
+        std::vector<double> at(stretch.parts * stretch.stride, input[m_top] - pull);
+        for (size_t i = m_top; i < at.size(); ++i) at[i] = valve.next(input[i]);
+        return averaged(at, 0, stretch);
+    }
     const LoopSeries& m_series;
     const Setting& m_setting;
-    double m_range, m_total, m_stick = 0.3, m_slide = 0;
+    double m_range;
+    size_t m_top = 0; // from where on the valve is followed
 };
 
 } // namespace
@@ -195,28 +288,26 @@ std::optional<ValveFit> fitValve(const LoopSeries& series, size_t begin, size_t 
     const size_t wanted = static_cast<size_t>(static_cast<double>(kMostCycles) * setting.perCycle);
     stretch.parts = std::min((end - begin) / stretch.stride, wanted);
     stretch.begin = end - stretch.parts * stretch.stride; // the last cycles: an oscillation grows at first
-    setting.measured = averaged(series.output, stretch.begin, stretch);
+    Measured& measured = setting.measured;
+    measured.values = averaged(series.output, stretch.begin, stretch);
     if (!series.setPoint.empty()) {
         const std::vector<double> wantedValue = averaged(series.setPoint, stretch.begin, stretch);
-        for (size_t i = 0; i < stretch.parts; ++i) setting.measured[i] -= wantedValue[i];
+        for (size_t i = 0; i < stretch.parts; ++i) measured.values[i] -= wantedValue[i];
     }
-    const double mean = meanOf(setting.measured, 0, stretch.parts);
-    for (double& value : setting.measured) value -= mean;
-    setting.skip = static_cast<size_t>(1.5 * setting.perCycle);
-    std::vector<double> error = setting.measured;
+    const double mean = meanOf(measured.values, 0, stretch.parts);
+    for (double& value : measured.values) value -= mean;
+    measured.skip = static_cast<size_t>(2 * setting.perCycle);
+    std::vector<double> error = measured.values;
     for (double& value : error) value = -value;
     const std::vector<double> input = averaged(series.input, stretch.begin, stretch);
-    setting.sign = processSign(input, error);
+    measured.sign = processSign(input, error);
+    sumUp(measured);
     const auto [low, high] = std::minmax_element(input.begin(), input.end());
-    if (!(*high > *low)) return std::nullopt;
-    double total = 0;
-    for (size_t i = setting.skip; i < setting.measured.size(); ++i) total += setting.measured[i] * setting.measured[i];
-    if (!(total > 0)) return std::nullopt;
-    ValveFit out;
+    if (!(*high > *low) || !(measured.total > 0)) return std::nullopt;
+    ValveFit out = Valves(series, setting, *high - *low).search();
     const double noise = noiseOf(series.output) / std::sqrt(static_cast<double>(stretch.stride));
-    out.noise = noise * noise * static_cast<double>(setting.measured.size() - setting.skip) / total;
-    out.without = leastLeft(setting, input) / total;
-    Valves(series, setting, *high - *low, total).search(out);
+    out.noise = noise * noise * static_cast<double>(stretch.parts - measured.skip) / measured.total;
+    out.without = nearFit(setting, input, coarseFit(setting, input), {1.5, 1.2, 1.1}).left / measured.total;
     return out;
 }
 

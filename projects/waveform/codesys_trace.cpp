@@ -64,7 +64,7 @@ Result<Table> parseCodesysTraceCsv(const std::string& text) {
             continue;
         }
         const size_t second = rest.find(';');
-        const double time = numberOf(rest.substr(0, second), ';') * unit;
+        const double time = numberOf(rest.substr(0, second)) * unit;
         if (columns.empty() || second == std::string::npos || std::isnan(time))
             return Error{errors::TraceNotASample(line), ""};
         if (!columns.back().add(time, rest.substr(second + 1))) return Error{errors::CsvTimeRunsBack(line), ""};
@@ -97,7 +97,7 @@ Result<Table> parseCodesysTraceXml(const std::string& text) {
         if (values.size() != times.size())
             return Error{errors::TraceListsDiffer(columns.back().column().name, values.size(), times.size()), ""};
         for (size_t i = 0; i < values.size(); ++i) {
-            const double time = numberOf(times[i], ',') * unit;
+            const double time = numberOf(times[i]) * unit;
             if (std::isnan(time)) continue; // no sample yet
             if (!columns.back().add(time, values[i]))
                 return Error{errors::TraceTimesRunBack(columns.back().column().name), ""};

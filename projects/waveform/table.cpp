@@ -27,7 +27,7 @@ double dateOf(const std::string& cell) {
         return kNoNumber;
     const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
                                            std::chrono::day(static_cast<unsigned>(day))};
-    const double seconds = numberOf(cell.substr(static_cast<size_t>(used)), ';');
+    const double seconds = numberOf(cell.substr(static_cast<size_t>(used)));
     if (!date.ok() || std::isnan(seconds)) return kNoNumber;
     const auto days = std::chrono::sys_days(date).time_since_epoch().count();
     return static_cast<double>(days) * 86400 + hour * 3600 + minute * 60 + seconds;
@@ -131,7 +131,7 @@ bool readScopeHead(const std::string& text, Head& head) {
     while (at < text.size()) {
         const size_t next = splitLine(text, at, head.separator, cells);
         const std::string word = cells.empty() ? "" : lowered(cells[0]);
-        if (word.empty() || !std::isnan(numberOf(cells[0], head.separator))) break;
+        if (word.empty() || !std::isnan(numberOf(cells[0]))) break;
         isScope = isScope || word == "data-type" || word == "sampletime[ms]";
         // blanks separate, and there is one in a name: the symbols have none
         if (word == "data-type") count = cells.size();
@@ -148,7 +148,7 @@ bool readScopeHead(const std::string& text, Head& head) {
     for (; at < text.size() && (text[at] == '\r' || text[at] == '\n'); ++at) line += text[at] == '\n';
     splitLine(text, at, head.separator, cells);
     constexpr double kDates = 1e14; // more milliseconds than that are no time since a start
-    const bool isDate = !cells.empty() && numberOf(cells[0], head.separator) > kDates;
+    const bool isDate = !cells.empty() && numberOf(cells[0]) > kDates;
     head.unitOf.clear();
     for (const std::string& name : names)
         head.unitOf.push_back(name == "Name" ? std::optional(isDate ? 1e-7 : 1e-3) : std::nullopt);
@@ -213,6 +213,7 @@ struct Reading {
 
 Result<Table> parseTable(const std::string& text) {
     if (text.find('\0') != std::string::npos) return Error{errors::CsvNotText(), ""};
+    if (text.find_first_not_of("\xEF\xBB\xBF \t\r\n") == std::string::npos) return Error{errors::CsvIsEmpty(), ""};
     if (isCodesysTraceCsv(text)) return parseCodesysTraceCsv(text);
     const auto head = headOf(text);
     if (!head) return head.error();
@@ -243,7 +244,7 @@ Result<Table> parseTable(const std::string& text) {
         const auto timeAt = [&](size_t cell) {
             if (cell >= cells.size()) return kNoNumber;
             const double number = dateOf(cells[cell]);
-            return std::isnan(number) ? numberOf(cells[cell], head->separator) * *head->unitOf[cell] : number;
+            return std::isnan(number) ? numberOf(cells[cell]) * *head->unitOf[cell] : number;
         };
         const double time = times > 1 ? 0 : timeAt(timeCell);
         if (std::isnan(time)) return Error{errors::CsvNotANumber(line, head->cells[timeCell]), ""};
@@ -255,7 +256,7 @@ Result<Table> parseTable(const std::string& text) {
         for (size_t c = 0; c < columns.size(); ++c) {
             Reading& reading = readings[c];
             const std::string cell = reading.cell < cells.size() ? cells[reading.cell] : std::string();
-            const double value = numberOf(cell, head->separator);
+            const double value = numberOf(cell);
             if (!std::isnan(value)) {
                 reading.held = value;
                 reading.hasNumber = true;
@@ -276,12 +277,15 @@ Result<Table> parseTable(const std::string& text) {
     for (size_t c = columns.size(); c-- > 0;) { // words only: comments, names of states
         columns[c].isBool = readings[c].onlyBool;
         if (readings[c].hasNumber) continue;
+        out.withoutNumbers.push_back(columns[c].name);
         columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(c));
         pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(c));
     }
-    if (times > 1)
+    if (times > 1) {
+        std::vector<std::string> withoutNumbers = std::move(out.withoutNumbers);
         out = merged(pairs, std::move(columns));
-    else
+        out.withoutNumbers = std::move(withoutNumbers);
+    } else
         out.columns = std::move(columns);
     if (out.time.empty()) return Error{errors::CsvHasNoRows(), ""};
     if (out.columns.empty()) return Error{errors::CsvHasNoValues(), ""};
@@ -303,9 +307,14 @@ std::vector<std::string> columnNames(const Table& table) {
 }
 
 Result<size_t> columnOf(const Table& table, const std::string& name) {
-    for (size_t i = 0; i < table.columns.size(); ++i)
-        if (equalsIgnoringCase(table.columns[i].name, name)) return i;
+    const auto isNamed = [&](const Column& column) { return equalsIgnoringCase(column.name, name); };
+    const auto found = std::find_if(table.columns.begin(), table.columns.end(), isNamed);
+    const auto count = std::count_if(table.columns.begin(), table.columns.end(), isNamed);
+    if (count == 1) return static_cast<size_t>(found - table.columns.begin());
+    if (count > 1) return Error{errors::CsvColumnTwice(static_cast<size_t>(count), name), ""};
     const std::vector<std::string> others = columnNames(table);
+    for (const std::string& other : table.withoutNumbers)
+        if (equalsIgnoringCase(other, name)) return Error{errors::CsvColumnWithoutNumbers(name, others), ""};
     if (const auto near = nearestName(name, others)) return Error{errors::CsvNoColumnSuggest(name, *near), ""};
     return Error{errors::CsvNoColumn(name, others), ""};
 }

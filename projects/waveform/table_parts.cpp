@@ -47,8 +47,24 @@ size_t splitLine(const std::string& text, size_t at, char separator, std::vector
     return at;
 }
 
-double numberOf(std::string cell, char separator) {
-    if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
+namespace {
+
+/// With a point in the place of a decimal comma, and without marks between the thousands: of comma and point the last
+/// is the decimal mark, and one that is there several times is none. Where the comma separates, such a cell was quoted.
+std::string withDecimalPoint(std::string cell) {
+    if (cell.find(',') == std::string::npos) return cell;
+    const size_t point = cell.rfind('.'), comma = cell.rfind(',');
+    const bool isDecimal =
+        std::count(cell.begin(), cell.end(), ',') == 1 && (point == std::string::npos || point < comma);
+    std::erase(cell, isDecimal ? '.' : ',');
+    std::replace(cell.begin(), cell.end(), ',', '.');
+    return cell;
+}
+
+} // namespace
+
+double numberOf(std::string cell) {
+    cell = withDecimalPoint(std::move(cell));
     const size_t begin = cell.find_first_not_of(" +");
     if (begin == std::string::npos) return kNoNumber;
     const std::string word = lowered(trimmed(cell));
@@ -80,7 +96,7 @@ Table merged(const std::vector<Samples>& pairs, std::vector<Column> columns) {
 OwnTimes::OwnTimes(std::string name) : m_name(std::move(name)) {}
 
 bool OwnTimes::add(double time, const std::string& cell) {
-    const double value = numberOf(cell, ';');
+    const double value = numberOf(cell);
     if (std::isnan(value)) return true;
     if (m_samples.size() > 0 && time < m_samples.time.back()) return false;
     if (m_samples.size() > 0 && time == m_samples.time.back()) return true;

@@ -12,8 +12,8 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 /// Without blanks around it.
 [[nodiscard]] std::string trimmed(const std::string& text);
 [[nodiscard]] std::string lowered(std::string text);
-/// TRUE is 1; where the comma does not separate, it may be the decimal point. Not a number: none.
-[[nodiscard]] double numberOf(std::string cell, char separator);
+/// TRUE is 1; the decimal mark may be a comma. Not a number: none.
+[[nodiscard]] double numberOf(std::string cell);
 /// One line into cells; quotes as in RFC 4180. Returns where the next line starts.
 size_t splitLine(const std::string& text, size_t at, char separator, std::vector<std::string>& cells);
 /// Several columns of times: each column of values follows its own; they meet on all instants there are.

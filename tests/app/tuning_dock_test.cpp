@@ -1,6 +1,7 @@
 // The tuning dock as one works with it: find the steps, look at the model, move the sliders, write the parameters in
 // one scan, take them back.
 #include "app/panels/live_views.h"
+#include "app/settings/translation.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/figure_view.h"
 #include "editor/tuning/tuning_view.h"
@@ -49,9 +50,10 @@ class TuningDock : public StudioTest {
 protected:
     /// The loop as it is written; tests change a word of it.
     virtual QByteArray program() const { return kLoop; }
+    virtual QByteArray libraries() const { return "toolbox"; }
     void SetUp() override {
         StudioTest::SetUp();
-        put("project.json", "{\n  \"name\": \"Loop\",\n  \"libraries\": [\"toolbox\"]\n}\n");
+        put("project.json", "{\n  \"name\": \"Loop\",\n  \"libraries\": [\"" + libraries() + "\"]\n}\n");
         put("src/main.st", program());
         ASSERT_TRUE(window->openProject(m_other.path()));
         ASSERT_TRUE(waitFor([&] { return window->workspace().model() != nullptr; }));
@@ -87,9 +89,11 @@ protected:
             << part<QLabel>("tuningState")->text().toStdString();
     }
     /// "Proposed" of a row of the table.
-    QString proposed(const QString& row) {
+    QString proposed(const QString& row) { return cell(row, 2); }
+    QString now(const QString& row) { return cell(row, 1); }
+    QString cell(const QString& row, int column) {
         for (QTreeWidgetItem* item : part<QTreeWidget>("tuningFigures")->findItems(row, Qt::MatchExactly))
-            return item->text(2);
+            return item->text(column);
         return {};
     }
     double value(const char* path) { return control().value(path).text.toDouble(); }
@@ -220,6 +224,25 @@ TEST_F(TuningDock, HowTheLoopIsDoingIsATabAndAPageInAFile) {
     view->writeReport("/nowhere/loop.html");
     ASSERT_EQ(said.size(), 1);
     EXPECT_TRUE(said.front().at(1).toBool());
+}
+
+TEST_F(TuningDock, TheReportIsInTheLanguageOfTheStudio) {
+    findSteps();
+    const QString pictures = qEnvironmentVariable("STEPWISE_PICTURES"); // kept there, for a look
+    for (const auto& [language, words] :
+         {std::pair{"de", std::vector<const char*>{"<html lang=\"de", "Modell", "Verstärkung", "Ausgang"}},
+          std::pair{"zh_CN", std::vector<const char*>{"<html lang=\"zh", "模型", "增益"}}}) {
+        installTranslation(*qApp, language);
+        for (const char* suffix : {"html", "pdf"})
+            view->writeReport((pictures.isEmpty() ? folder.path() : pictures) + "/report_" + language + "." + suffix);
+        QFile page((pictures.isEmpty() ? folder.path() : pictures) + "/report_" + language + ".html");
+        ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(page.readAll());
+        for (const char* expected : words) EXPECT_TRUE(text.contains(expected)) << expected;
+        for (const char* english : {"Loop health", "settling time", "recorded", "verdict", "phase margin"})
+            EXPECT_FALSE(text.contains(english)) << language << " " << english;
+    }
+    installTranslation(*qApp, "en");
 }
 
 TEST_F(TuningDock, ARecordingFromAFileIsLookedAtWithoutAController) {
@@ -357,9 +380,13 @@ TEST_F(TuningDock, WritesAllParametersInOneScanAndTakesThemBack) {
     findSteps();
     control().start();
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
+    EXPECT_EQ(now("Gain"), "1.5");
     click("tuningWrite");
     ASSERT_TRUE(waitFor([&] { return value("Main.Kp") != 1.5 && value("Main.Tn") != 900; }));
+    EXPECT_EQ(now("Gain"), proposed("Gain")); // in force by now
+    EXPECT_EQ(now("Sensitivity Ms"), proposed("Sensitivity Ms"));
     click("tuningBack");
+    EXPECT_EQ(now("Gain"), "1.5");
     ASSERT_TRUE(waitFor([&] { return value("Main.Kp") == 1.5 && value("Main.Tn") == 900; }));
     control().pause();
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
@@ -379,6 +406,84 @@ TEST_F(TuningDock, WritesAllParametersInOneScanAndTakesThemBack) {
     EXPECT_EQ(back, change("Main.Tn", *written));
     EXPECT_FALSE(part<QPushButton>("tuningBack")->isEnabled());
 }
+
+/// Each controller block that can be tuned, with parameters in variables.
+struct DockBlock {
+    const char* name;
+    const char* loop; // in the list
+    const char* library;
+    const char* declaration; // with the gain in Kp, or in para
+    const char* call;
+    const char* output;
+    const char* gain; // path
+};
+
+const DockBlock kDockBlocks[] = {
+    {"P", "Main.c", "toolbox", "c : FB_P;", "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActVal := Measured, i_rKp := Kp);",
+     "c.q_rOput", "Main.Kp"},
+    {"Pi", "Main.c", "toolbox",
+     "c : FB_PI; para : stPiPara := (tCyclTime := T#10ms, tTn := T#900ms, rKp := 1.5, rMaxLim := 1000.0, rMinLim := "
+     "-1000.0);",
+     "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActVal := Measured, i_stPara := para);", "c.q_rOput", "Main.para.rKp"},
+    {"Pid", "Main.c", "toolbox",
+     "c : FB_PID; para : stPid := (xActValType := TRUE, rTargCyclTime := 10.0, rLowLim := -1000.0, rHighLim := "
+     "1000.0);",
+     "c(i_xEn := TRUE, i_rSp := SetPoint, i_rPv1 := Measured, i_rKp := Kp, i_rTn := Tn, i_rTd := 60.0, i_stPid := "
+     "para);",
+     "c.q_rPidOput", "Main.Kp"},
+    {"Cascade", "Main.c.PID", "toolbox",
+     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 1.5, tTn := T#900ms, tTd := T#60ms, rMaxLim := 1000.0, rMinLim "
+     ":= -1000.0); outer : stPIPIDInLoop := (tCyclTime := T#10ms, rKp := 0.5, tTn := T#2s, rMaxLim := 100.0, rMinLim "
+     ":= -100.0);",
+     "c(i_xEn := TRUE, i_xManModePI := TRUE, i_rManValPI := SetPoint, i_rActValPID := Measured, i_stParaPID := inner, "
+     "i_stParaPI := outer);",
+     "c.q_rOput", "Main.inner.rKp"},
+    {"Util", "Main.c", "util", "c : util.PID;",
+     "c(ACTUAL := Measured, SET_POINT := SetPoint, KP := Kp, TN := Seconds, TV := 0.0, Y_MIN := -1000.0, Y_MAX := "
+     "1000.0);",
+     "c.Y", "Main.Kp"},
+    {"UtilFixed", "Main.c", "util", "c : util.PID_FIXCYCLE;",
+     "c(ACTUAL := Measured, SET_POINT := SetPoint, KP := Kp, TN := Seconds, TV := 0.0, Y_MIN := -1000.0, Y_MAX := "
+     "1000.0, CYCLE := 0.01);",
+     "c.Y", "Main.Kp"},
+    {"AnnexF", "Main.c", "analog", "c : analog.PID; Reversed : REAL := -1.5;",
+     "c(AUTO := TRUE, PV := Measured, SP := SetPoint, KP := Reversed, TR := Seconds, TD := 0.0, CYCLE := T#10ms);",
+     "c.XOUT", "Main.Reversed"},
+};
+
+class TuningDockBlocks : public TuningDock, public ::testing::WithParamInterface<DockBlock> {
+    QByteArray program() const override {
+        QByteArray text = kLoop;
+        const int call = text.indexOf("pid(i_xEn"), end = text.indexOf('\n', call);
+        text.replace(call, end - call, GetParam().call);
+        const int declaration = text.indexOf("    pid : FB_PID;"), first = text.indexOf("    first : REAL;");
+        text.replace(declaration, first - declaration,
+                     QByteArray("    Seconds : REAL := 0.9;\n    ") + GetParam().declaration + "\n");
+        return text.replace("pid.q_rPidOput", GetParam().output);
+    }
+    QByteArray libraries() const override { return GetParam().library; }
+};
+
+TEST_P(TuningDockBlocks, IsFoundWrittenAndTakenBack) {
+    const DockBlock& block = GetParam();
+    auto* loop = part<QComboBox>("tuningLoop");
+    loop->setCurrentIndex(loop->findText(block.loop));
+    ASSERT_EQ(loop->currentText(), block.loop);
+    findSteps();
+    ASSERT_TRUE(waitForTrial()) << chart("tuningTrial").title;
+    const double before = value(block.gain);
+    control().start();
+    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
+    ASSERT_TRUE(part<QPushButton>("tuningWrite")->isEnabled());
+    click("tuningWrite");
+    ASSERT_TRUE(waitFor([&] { return value(block.gain) != before; }));
+    EXPECT_EQ(value(block.gain) < 0, before < 0);
+    click("tuningBack");
+    ASSERT_TRUE(waitFor([&] { return value(block.gain) == before; }));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TuningDockBlocks, ::testing::ValuesIn(kDockBlocks),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(TuningDock, OneStepAloneCanBeChosen) {
     findSteps();

@@ -6,6 +6,7 @@
 
 #include "projects/storage/project_file.h"
 
+#include <filesystem>
 #include <fstream>
 
 namespace plc::cli {
@@ -19,6 +20,7 @@ Result<void> setCalendarStart(const Arguments& arguments, const projects::Projec
 }
 
 bool isRecording(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".rec") return true; // damaged or not
     char magic[6] = {};
     std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
     return std::string_view(magic, sizeof magic) == "STWREC";

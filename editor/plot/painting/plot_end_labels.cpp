@@ -12,9 +12,10 @@ namespace {
 
 constexpr double LeastWidth = 420, MostLabel = 120, Lead = 12;
 
-/// "i_rAct" of "Main.pid.i_rAct": the legend has the rest.
+/// "i_rAct" of "Main.pid.i_rAct": the legend has the rest. An expression, INTEGRAL(Main.Flow), stays whole.
 QString shortName(const QString& name) {
-    return name.contains(QLatin1Char(' ')) ? name : name.section(QLatin1Char('.'), -1);
+    const bool isExpression = name.contains(QLatin1Char(' ')) || name.contains(QLatin1Char('('));
+    return isExpression ? name : name.section(QLatin1Char('.'), -1);
 }
 
 bool hasLabels(const PlotModel& model, const PlotPane& pane) {

@@ -32,6 +32,8 @@ Result<LoopSeries> seriesOf(const waveform::Table& table, const CsvColumns& colu
     }
     dropUnknown(series);
     if (auto checked = checkSeries(series); !checked) return checked.error();
+    const auto [low, high] = std::minmax_element(series.input.begin(), series.input.end());
+    if (*low < *high && series.input == series.output) return Error{errors::SameSamples(), ""};
     return series;
 }
 

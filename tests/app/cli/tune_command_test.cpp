@@ -221,6 +221,15 @@ TEST_F(TuneCommand, SaysWhatIsWrong) {
             "no step 7; choose one from 1 to 2");
     refused({path("valve.csv"), "--input", "valve", "--output", "level", "--brisk", "2"}, "from 0 to 1");
     refused({path("flat.csv"), "--input", "u", "--output", "y"}, "no step");
+    write("same.csv", [] {
+        std::string text = "t,u,y\n";
+        for (int i = 0; i < 50; ++i) text += std::to_string(i) + (i < 20 ? ",1,1\n" : ",2,2\n");
+        return text;
+    }());
+    refused({path("same.csv"), "--input", "u", "--output", "y"}, "the same in every sample");
+    write("damaged.rec", "nothing that was recorded");
+    refused({path("damaged.rec")}, "damaged.rec");
+    EXPECT_EQ(err.find("P1013"), std::string::npos) << err; // it is no program
     refused({path("missing.csv"), "--input", "u", "--output", "y"}, "no such file");
     refused({path("plain.st")}, "no controller block");
     refused({example("cascade")}, "Main.controller.PID");

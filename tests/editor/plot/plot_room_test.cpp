@@ -83,6 +83,14 @@ TEST(PlotRoom, NamesAreBesideTheEndsOfTheirCurvesAndApart) {
     EXPECT_TRUE(Drawn(model, {300, 200}).renderer.endLabels().empty()) << "a small picture is for the curves";
 }
 
+TEST(PlotRoom, AnExpressionIsNotCutAtItsPoints) {
+    const auto roomBeside = [](const char* second) {
+        const PlotModel model = modelOf({curveOf("Main.tank.low", 0, 49, Qt::red), curveOf(second, 0, 5, Qt::blue)});
+        return Drawn(model).renderer.panes()[0].area.right();
+    };
+    EXPECT_LT(roomBeside("INTEGRAL(Main.low)") + 30, roomBeside("Main.low")); // not only "low)"
+}
+
 TEST(PlotRoom, TheLegendSaysWhatIsDrawnBeneath) {
     PlotModel model = modelOf({curveOf("Main.level", 0, 50, Qt::red)});
     const size_t before = Drawn(model).renderer.legend().size();

@@ -56,6 +56,9 @@ const Kind kKinds[] = {
     {"Main.c", "c : analog.PID;",
      "c(AUTO := TRUE, PV := Measured, SP := SetPoint, KP := -Kp, TR := 0.9, TD := 0.05, CYCLE := T#20ms);", "c.XOUT",
      "Main.Kp"},
+    {"Main.c", "c : analog.PID; Gain : REAL := -1.3; Reset : REAL := 0.9;",
+     "c(AUTO := TRUE, PV := Measured, SP := SetPoint, KP := Gain, TR := Reset, TD := 0.0, CYCLE := T#20ms);", "c.XOUT",
+     "Main.Gain"},
 };
 
 std::string programOf(const Kind& kind) {
@@ -105,6 +108,51 @@ TEST_P(BlockKinds, RepeatsItsRecordingBitForBit) {
     const auto other = tryOut(session.history(), *plan, std::nullopt);
     ASSERT_TRUE(other) << other.error().english();
     EXPECT_TRUE(other->firstDifference);
+}
+
+TEST_P(BlockKinds, GoesOnFromItsOutputWithOtherParameters) {
+    const Kind& kind = GetParam();
+    driver::BuildInput input;
+    input.files = {{"main.st", programOf(kind)}};
+    input.libraries = {"toolbox", "util", "analog"};
+    const driver::Built built = driver::build(input);
+    ASSERT_TRUE(built.program) << kind.declaration;
+    const auto loop = findLoop(*built.program, kind.name);
+    ASSERT_TRUE(loop) << loop.error().english();
+    const auto output = [&](const session::Session& session) {
+        return *numberAt(*built.program, session.snapshot(), loop->pin(loop->form->input));
+    };
+    // how far the output moves in the scan of the write, just behind a step of the set point: there is a large error
+    bool isWritten = false;
+    const auto jump = [&](bool isBumpless) {
+        session::Session session(built);
+        session.runHere([](const controller::Controller& c) { return c.nextScan() >= 455; });
+        const tuning::ControllerGains now = settingsOf(*loop, *built.program, session.snapshot()).gains;
+        const auto wanted =
+            tuning::parametersOf(*loop->form, {now.gain * 2, now.integralTime * 1.5, 0, 0}, loop->taskTime);
+        auto writes = writesOf(*loop, built.program, wanted);
+        isWritten = !writes.empty();
+        if (isBumpless)
+            for (auto& write :
+                 bumplessWrites(*loop, *built.program, session.snapshot(), writable(*loop, built.program, wanted)))
+                writes.push_back(write);
+        for (const ParameterWrite& write : writes) {
+            const auto value = valueFor(*built.program, write.path, write.value);
+            EXPECT_TRUE(value) << write.path;
+            EXPECT_TRUE(session.controller().write(write.path, *value)) << write.path;
+        }
+        const double before = output(session);
+        session.runHere([](const controller::Controller& c) { return c.nextScan() >= 456; });
+        return std::abs(output(session) - before);
+    };
+    if (loop->form->kinds().size() == 1) { // its output is the error times the gain, and nothing else
+        EXPECT_GT(jump(true), 1);
+        return;
+    }
+    const double bump = jump(false);
+    EXPECT_TRUE(bump > 1 || !isWritten) << kind.declaration;
+    // the integral and the measured value move on in that scan
+    EXPECT_LT(jump(true), std::max(0.5, 0.1 * bump)) << kind.declaration;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BlockKinds, ::testing::ValuesIn(kKinds),

@@ -227,7 +227,7 @@ TEST(Table, WhatIsWrongIsSaidWithItsLine) {
     for (const auto& [text, words] :
          {std::pair{"a,b\n1,2\n", "no column of times"}, std::pair{"time_s,a\n0,1\nx,2\n", "Line 3 has no number"},
           std::pair{"time_s,a\n2,1\n1,2\n", "line 3"}, std::pair{"time_s,a\n", "no rows"},
-          std::pair{"time_s,state\n0,idle\n1,busy\n", "no column of numbers"}, std::pair{"", "no column of times"}}) {
+          std::pair{"time_s,state\n0,idle\n1,busy\n", "no column of numbers"}, std::pair{"", "empty"}}) {
         const auto table = parseTable(text);
         ASSERT_FALSE(table) << text;
         EXPECT_NE(table.error().message.english().find(words), std::string::npos) << table.error().message.english();
@@ -240,4 +240,32 @@ TEST(Table, AColumnThatIsNotThereIsSuggested) {
     const auto none = columnOf(table, "Levl");
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.english().find("Level"), std::string::npos);
+}
+
+TEST(Table, ADecimalCommaIsOneInQuotesToo) {
+    // what a spreadsheet set to German writes where the comma separates; marks between thousands are none of the number
+    const Table table =
+        read("time_s,a,b,c,d\n\"0,0\",\"1,25\",\"1.234,5\",\"1,234.5\",\"1,234,567\"\n\"0,1\",2,3,4,5\n");
+    expectTimes(table, {0, 0.1});
+    ASSERT_EQ(table.columns.size(), 4U);
+    EXPECT_EQ(table.columns[0].value[0], 1.25);
+    EXPECT_EQ(table.columns[1].value[0], 1234.5);
+    EXPECT_EQ(table.columns[2].value[0], 1234.5);
+    EXPECT_EQ(table.columns[3].value[0], 1234567);
+}
+
+TEST(Table, AColumnThatCannotBeMeantSaysWhy) {
+    const Table table = read("t,valve,valve,state,level\n0,1,2,open,3\n1,1,2,shut,NaN\n");
+    const auto problem = [&](const char* name) {
+        const auto column = columnOf(table, name);
+        return column ? std::string("none") : column.error().message.english();
+    };
+    EXPECT_EQ(problem("valve"), "The table has 2 columns valve; give each its own heading");
+    EXPECT_NE(problem("state").find("has no numbers"), std::string::npos) << problem("state");
+    EXPECT_EQ(problem("level"), "none");
+    for (const char* nothing : {"", "\n\n", "\xEF\xBB\xBF\r\n"}) {
+        const auto empty = parseTable(nothing);
+        ASSERT_FALSE(empty);
+        EXPECT_EQ(empty.error().message.english(), "The file is empty; export the table again");
+    }
 }
