@@ -90,7 +90,7 @@ at_length() { # name of a long test
 }
 
 fuzz() { # fuzz target
-    local seeds=(tests/fuzz/seeds tests/fuzz/findings)
+    local seeds=(tests/fuzz/seeds tests/fuzz/findings tests/golden)
     mkdir -p "build/fuzz/corpus/$1" build/fuzz/findings
     if [ "$1" = fuzz_inputs ]; then # its seeds are the files of the examples
         seeds=()

@@ -26,7 +26,7 @@ def seeds_of(target: str, corpus: pathlib.Path) -> list[str]:
     elif target == "fuzz_peers":
         folders.append("tests/fuzz/peers")
     elif target != "fuzz_inputs":
-        folders += ["tests/fuzz/seeds", "tests/fuzz/findings"]
+        folders += ["tests/fuzz/seeds", "tests/fuzz/findings", "tests/golden"]
     return folders
 
 

@@ -132,8 +132,7 @@ TEST(PropertyCheck, WhatCanOnlyMeanOneThingIsFixedAndUndoneByteForByte) {
         const Edit back = applyTo(*panel, fixes);
         const Json fields = panel->find(QStringLiteral("a"))->fields();
         const Json expected = Json::parse("{" + row.after + "}");
-        for (const auto& [key, value] : expected.items())
-            EXPECT_EQ(fields.at(key).dump(), value.dump()) << row.before;
+        for (const auto& [key, value] : expected.items()) EXPECT_EQ(fields.at(key).dump(), value.dump()) << row.before;
         EXPECT_EQ(findings(fields.dump()), "") << row.before;
         applyTo(*panel, back);
         EXPECT_EQ(panel->write(), before) << row.before;
