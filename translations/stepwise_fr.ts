@@ -11393,7 +11393,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::hmi::Palette</name>
     <message>
         <source>Search elements</source>
-        <translation>Rechercher des éléments</translation>
+        <translation>Rechercher</translation>
     </message>
     <message>
         <source>Faceplates</source>
