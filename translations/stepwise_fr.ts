@@ -11393,7 +11393,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::hmi::Palette</name>
     <message>
         <source>Search elements</source>
-        <translation>Rechercher</translation>
+        <translation>Chercher un élément</translation>
     </message>
     <message>
         <source>Faceplates</source>
