@@ -49,6 +49,7 @@ private:
 };
 
 template <class C> bool overlaps(const C* to, uint32_t capacity, View<C> operand) {
+    if (operand.empty()) return false; // it may have no address
     const std::less<const C*> before;
     return before(operand.data(), to + capacity + 1) && before(to, operand.data() + operand.size() + 1);
 }
