@@ -102,9 +102,12 @@ fuzz() { # fuzz target
     [ "$1" != fuzz_peers ] || seeds=(tests/fuzz/peers)
     export ASAN_OPTIONS=detect_leaks=1:malloc_context_size=4:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
     export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0
-    local longest=8192
-    [ "$1" != fuzz_inputs ] || longest=65536 # a recording holds the libraries' text
-    exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" -print_final_stats=1 \
+    local longest=8192 words=()
+    if [ "$1" = fuzz_inputs ]; then
+        longest=65536 # a recording holds the libraries' text
+        words=("-dict=build/fuzz/corpus/$1.dict")
+    fi
+    exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" "${words[@]}" -print_final_stats=1 \
         "-artifact_prefix=build/fuzz/findings/${1}_" "build/fuzz/corpus/$1" "${seeds[@]}"
 }
 

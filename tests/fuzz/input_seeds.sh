@@ -33,3 +33,8 @@ seed 8 "$1/seed_8_0" <<<'{"timeout": 60, "roles": [{"name": "operator"}], "users
 seed 9 "$1/seed_9_0" <<<'<xliff version="2.0" xmlns="urn:oasis:names:tc:xliff:document:2.0" srcLang="en" trgLang="de"><file id="f"><unit id="a"><segment><source>Start</source><target>Anfang</target></segment></unit></file></xliff>'
 seed 11 "$1/seed_11_0" <<<$'time,level,pump\n0.0,1.5,TRUE\n0.1,1.6,FALSE'
 seed 12 "$1/seed_12_0" <<<$'\x01<TcPlcObject Version="1.1.0.1"><POU Name="Main"><Declaration><![CDATA[PROGRAM Main\nVAR x : INT; END_VAR]]></Declaration><Implementation><ST><![CDATA[x := x + 1;]]></ST></Implementation></POU></TcPlcObject>'
+# A channel of a trace with all it can have: the examples leave most of it as it is.
+seed 3 "$1/seed_3_all" <<<'{"version": 1, "title": "t", "span": 60, "charts": [{"title": "c", "weight": 2}], "channels": [{"expression": "Main.x", "label": "X", "unit": "mm", "color": "#1f5fbf", "width": 2, "style": "line", "scale": 10, "offset": 1.5, "recording": "a.rec", "visible": false, "chart": 0}], "axes": [{"mode": "fixed", "min": 0, "max": 100}]}'
+# The words of the files, which no random change would guess.
+grep -ohE '"[A-Za-z][A-Za-z0-9-]{2,24}"' editor/trace/setup/*.cpp hmi/model/*.def hmi/model/*.cpp hmi/alarms/*.cpp hmi/recipes/*.cpp \
+    hmi/people/*.cpp projects/devices/configuration/*.cpp projects/storage/*.cpp projects/exchange/*/*.cpp | sort -u >"$1.dict"
