@@ -1,7 +1,9 @@
 // Bump allocator for trees: nodes live as long as the arena, destructors do not run for trivially destructible nodes
 // and run at the arena's end for the others. Owned by the tree it serves; one thread while building.
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -45,8 +47,8 @@ private:
     void* allocate(size_t size, size_t alignment) {
         auto at = (reinterpret_cast<uintptr_t>(m_next) + alignment - 1) & ~(alignment - 1);
         if (!m_next || at + size > reinterpret_cast<uintptr_t>(m_end)) {
-            const size_t block = size + alignment > kBlock ? size + alignment : kBlock;
-            m_blocks.push_back(std::make_unique<std::byte[]>(block));
+            const size_t block = std::max(size + alignment, kFirstBlock << std::min<size_t>(m_blocks.size(), kDoublings));
+            m_blocks.push_back(std::make_unique_for_overwrite<std::byte[]>(block)); // `make` sets what is used
             m_next = m_blocks.back().get();
             m_end = m_next + block;
             at = (reinterpret_cast<uintptr_t>(m_next) + alignment - 1) & ~(alignment - 1);
@@ -54,7 +56,8 @@ private:
         m_next = reinterpret_cast<std::byte*>(at + size);
         return reinterpret_cast<void*>(at);
     }
-    static constexpr size_t kBlock = 64 * 1024;
+    /// Many files are small: the first block is one page, the sixth and those after it 128 KiB.
+    static constexpr size_t kFirstBlock = 4096, kDoublings = 5;
     std::vector<std::unique_ptr<std::byte[]>> m_blocks;
     std::vector<Cleanup> m_cleanups;
     std::byte* m_next = nullptr;
