@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the fuzz targets reach, by module: tests/fuzz/coverage.py [--missing] [--corpus FOLDER] [TARGET…]
 
-Runs each built target (preset fuzz) over its seeds and what it has collected, without making new inputs, and adds up the
+Runs each built target (preset asan) over its seeds and what it has collected, without making new inputs, and adds up the
 functions and branches (edges) it came through. A function counts as reached when any target reached it; of its branches those of
 the target that came furthest count. --missing lists the functions that none of them reaches, by file.
 """
@@ -33,7 +33,7 @@ def seeds_of(target: str, corpus: pathlib.Path) -> list[str]:
 def reached_by(target: str, corpus: pathlib.Path) -> dict[tuple[str, str], tuple[int, int, str]]:
     """(file, line) -> edges reached, edges, name; functions of this project only."""
     environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", ASAN_OPTIONS="detect_leaks=0")
-    run = subprocess.run([f"build/fuzz/bin/{target}", "-runs=0", "-print_coverage=1", "-timeout=60", "-rss_limit_mb=6000"]
+    run = subprocess.run([f"build/asan/bin/{target}", "-runs=0", "-print_coverage=1", "-timeout=60", "-rss_limit_mb=6000"]
                          + seeds_of(target, corpus), cwd=ROOT, env=environment, capture_output=True, text=True, errors="replace")
     if run.returncode != 0:
         sys.exit(f"{target} ended with {run.returncode}:\n{run.stderr[-2000:]}")
@@ -56,9 +56,9 @@ def main() -> None:
     arguments.add_argument("--corpus", type=pathlib.Path, default=ROOT / "build/fuzz/corpus")
     arguments.add_argument("targets", nargs="*", metavar="TARGET")
     asked = arguments.parse_args()
-    targets = asked.targets or [each for each in TARGETS if (ROOT / "build/fuzz/bin" / each).exists()]
+    targets = asked.targets or [each for each in TARGETS if (ROOT / "build/asan/bin" / each).exists()]
     if not targets:
-        sys.exit("No fuzz target is built: cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_targets")
+        sys.exit("No fuzz target is built: cmake --preset asan && cmake --build --preset asan --target fuzz_targets")
     of_all: dict[tuple[str, str], tuple[int, int, str]] = {}
     by_target: dict[str, collections.Counter] = {}
     for target in targets:

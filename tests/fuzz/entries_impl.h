@@ -11,7 +11,10 @@
 #include "runtime/controller/controller.h"
 
 #include <cstdlib>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace plc::fuzz {
 
@@ -93,12 +96,62 @@ void checkText(std::string_view bytes) {
         promise(driver::check(inputOf(bytes)).analysis->diagnostics.size() == checked.analysis->diagnostics.size());
 }
 
+/// What eight scans leave behind.
+struct Ran {
+    std::vector<std::byte> image;
+    std::optional<controller::Fault> fault;
+};
+
+inline Ran ran(const std::shared_ptr<const image::CompiledProgram>& program) {
+    controller::Controller controller(program, boundedSettings());
+    controller.start();
+    someScans(controller);
+    return {{controller.image().begin(), controller.image().end()}, controller.fault()};
+}
+
+/// Every variable has the same value; not every byte: a NaN is a NaN, and what lies between variables is nobody's.
+inline bool holdsTheSame(const image::CompiledProgram& program, std::span<const std::byte> a,
+                         std::span<const std::byte> b) {
+    const image::Layout& layout = program.layout;
+    const auto text = [&](std::span<const std::byte> image, const image::Place& at) {
+        return types::toText(*layout.types, types::readValue(*layout.types, at.type, image.subspan(at.offset), at.bit));
+    };
+    bool isSame = true;
+    for (const image::Root& root : layout.roots) {
+        layout.forEachLeaf(image::Layout::pathOf(root), {root.type, root.offset, root.bit},
+                           [&](const std::string&, const image::Place& at) {
+                               isSame = text(a, at) == text(b, at);
+                               return isSame;
+                           });
+        if (!isSame) return false;
+    }
+    return true;
+}
+
+/// Optimised code does what quick code does. After a watchdog fault the image is not exact (docs/performance.md).
+inline void promiseSameOptimised(const driver::Built& built, const Ran& quick) {
+    if (quick.fault && quick.fault->code == image::FaultCode::Watchdog) return;
+    promise(bool(driver::optimise(built)));
+    const Ran optimised = ran(built.program);
+    promise(quick.fault.has_value() == optimised.fault.has_value());
+    if (quick.fault)
+        promise(quick.fault->code == optimised.fault->code && quick.fault->range == optimised.fault->range);
+    promise(holdsTheSame(*built.program, quick.image, optimised.image));
+}
+
 void runText(std::string_view bytes) {
     const driver::Built built = driver::build(inputOf(bytes));
     if (!built.program) return;
-    controller::Controller controller(built.program, boundedSettings());
-    controller.start();
-    someScans(controller);
+    const Ran quick = ran(built.program);
+    if (isOneOf(4, bytes)) promiseSameOptimised(built, quick);
+}
+
+/// A program that is exchanged for itself keeps every value.
+inline void promiseKept(controller::Controller& controller) {
+    const std::vector<std::byte> before(controller.image().begin(), controller.image().end());
+    const controller::OnlineChangeReport report = controller.changeProgram(controller.sharedProgram());
+    promise(report.lost.empty() && report.initialised.empty());
+    promise(holdsTheSame(controller.program(), before, controller.image()));
 }
 
 void changeText(std::string_view bytes) {
@@ -109,9 +162,11 @@ void changeText(std::string_view bytes) {
     controller::Controller controller(first.program, boundedSettings());
     controller.start();
     someScans(controller);
+    promiseKept(controller);
     for (const driver::Built* next : {&second, &first}) {
         (void)controller.changeProgram(next->program); // what it refuses it says
         someScans(controller);
+        promiseKept(controller);
     }
 }
 

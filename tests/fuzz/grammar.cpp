@@ -192,7 +192,7 @@ std::string changedOnce(const std::string& text, std::string_view donor, const P
     if (!choose(own, random, kind, here)) return text + std::string(donor);
     const std::vector<SourceRange>&same = own.of(kind), &others = lent.of(kind);
     const std::string before = text.substr(0, here.begin), piece = sliceOf(text, here), after = text.substr(here.end);
-    switch (random.next(6)) {
+    switch (random.next(7)) {
     case 0: // one of the donor's in its place
         if (!others.empty()) return before + sliceOf(donor, others[random.next(others.size())]) + after;
         [[fallthrough]];
@@ -203,6 +203,8 @@ std::string changedOnce(const std::string& text, std::string_view donor, const P
         [[fallthrough]];
     case 3: // twice
         return before + piece + "\n" + piece + after;
+    case 5: // one more of a list: arguments, indices, labels, values, dimensions
+        return before + piece + ", " + sliceOf(text, same[random.next(same.size())]) + after;
     case 4:
         if (kind == Piece::Expression) return before + std::string(kEdges[random.next(std::size(kEdges))]) + after;
         return before + after; // not at all
