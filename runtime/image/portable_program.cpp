@@ -168,18 +168,18 @@ template <class A> bool everything(A& a, PortableProgram& p) {
 } // namespace
 
 std::string toBytes(const PortableProgram& portable) {
-    Writing archive;
+    Writing writer;
     PortableProgram copy = portable; // the lists of members are those of reading; nothing is changed
-    (void)everything(archive, copy);
-    return std::move(archive.out);
+    (void)everything(writer, copy);
+    return std::move(writer.out);
 }
 
 std::optional<PortableProgram> fromBytes(std::string_view bytes) {
     PortableProgram portable;
     portable.program = std::make_shared<CompiledProgram>();
     portable.program->layout.types = std::make_shared<types::TypeTable>();
-    Reading archive(bytes);
-    if (!everything(archive, portable) || !archive.isComplete()) return {};
+    Reading reader(bytes);
+    if (!everything(reader, portable) || !reader.isComplete()) return {};
     nameReferences(portable.program);
     return portable;
 }

@@ -1,7 +1,7 @@
 #include "runtime/compiler/driver/object_file.h"
 
 #include "runtime/base/messages.h"
-#include "runtime/compiler/jit/object_file.h"
+#include "runtime/compiler/jit/object_code.h"
 #include "runtime/image/portable_program.h"
 
 namespace plc::driver {

@@ -2,7 +2,7 @@
 #include "runtime/base/messages.h"
 
 #include "runtime/compiler/facts/program_facts.h"
-#include "runtime/compiler/jit/object_file.h"
+#include "runtime/compiler/jit/object_code.h"
 #include "runtime/compiler/jit/stack_use.h"
 #include "runtime/compiler/jit/write_marks.h"
 #include "runtime/image/written_pages.h"
