@@ -1,7 +1,7 @@
 #include "app/frame/status_line.h"
 
 #include "app/project/problems_view.h"
-#include "editor/debug/fault_moment.h"
+#include "editor/debug/fault_scan.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/occurrence_text.h"
@@ -140,7 +140,7 @@ void StatusLine::showState() {
     Look look{Words::tr("OFFLINE"), c.alternate, c.muted};
     if (m_control.showsRecorded())
         look = {Words::tr("RECORDING"), c.info, c.base};
-    else if (m_control.isOnline() && m_control.viewed() && !editor::showsFault(m_control))
+    else if (m_control.isOnline() && m_control.viewed() && !m_control.faultScan().isShown())
         look = {Words::tr("PAST"), c.info, c.base};
     else if (m_control.isOnline())
         look = lookOf(m_control.status().state, m_control.mode());

@@ -1,6 +1,6 @@
 #include "editor/debug/debug_views.h"
 
-#include "editor/debug/fault_moment.h"
+#include "editor/debug/fault_scan.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
@@ -173,7 +173,7 @@ int CallPathView::frameOf(QTreeWidgetItem* item) const { return m_frames->indexO
 void CallPathView::showValues() {
     QTreeWidgetItem* current = m_frames->currentItem();
     const auto variables = current && m_control.session()
-                               ? faultVariables(m_control, static_cast<size_t>(frameOf(current)))
+                               ? m_control.faultScan().variables(static_cast<size_t>(frameOf(current)))
                                : std::vector<std::pair<std::string, types::Value>>();
     while (m_values->topLevelItemCount() > static_cast<int>(variables.size()))
         delete m_values->topLevelItem(m_values->topLevelItemCount() - 1);
@@ -187,8 +187,8 @@ void CallPathView::showValues() {
 
 bool CallPathView::showsItsMoment() const {
     if (m_control.showsRecorded()) return false;
-    if (m_control.viewed()) return showsFault(m_control);
-    const std::optional<history::Position> fault = faultPosition(m_control);
+    if (m_control.viewed()) return m_control.faultScan().isShown();
+    const std::optional<history::Position> fault = m_control.faultScan().position();
     return !fault || *fault + 1 == m_control.shownHistory()->statistics().end; // else the plant has gone on
 }
 

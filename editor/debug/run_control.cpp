@@ -1,5 +1,6 @@
 #include "editor/debug/run_control.h"
 
+#include "editor/debug/fault_scan.h"
 #include "editor/debug/line_map.h"
 #include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
@@ -47,7 +48,8 @@ private:
 };
 } // namespace
 
-RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent), m_workspace(workspace) {
+RunControl::RunControl(Workspace& workspace, QObject* parent)
+    : QObject(parent), m_workspace(workspace), m_faultScan(std::make_unique<FaultScan>(*this)) {
     LivingControls::all().add(*this);
     m_timer.setInterval(kFrameMs);
     connect(&m_timer, &QTimer::timeout, this, &RunControl::tick);

@@ -19,6 +19,8 @@
 
 namespace plc::editor {
 
+class FaultScan;
+
 class RunControl : public QObject {
     Q_OBJECT
 public:
@@ -37,6 +39,7 @@ public:
     void followWorkspace();
     /// The runs before this one.
     [[nodiscard]] RunArchive& archive() { return m_archive; }
+    [[nodiscard]] FaultScan& faultScan() const { return *m_faultScan; }
     /// Memory for the recording of every scan, of this session and of those to come.
     void setHistoryBudget(size_t bytes);
 
@@ -174,6 +177,7 @@ private:
     RunArchive m_archive;
     size_t m_historyBudget = size_t(256) << 20;
     std::unique_ptr<session::Session> m_session;
+    std::unique_ptr<FaultScan> m_faultScan; // of that session
     session::Status m_status;
     session::RunMode m_mode{session::Pace::Real, 1.0};
     BreakpointList m_breakpoints;

@@ -2,7 +2,7 @@
 // text are of one moment, until one goes back to the present.
 #include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
-#include "editor/debug/fault_moment.h"
+#include "editor/debug/fault_scan.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
 
@@ -54,7 +54,7 @@ protected:
         window->action("run.start")->trigger();
         ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }));
         ASSERT_TRUE(waitFor([&] { // the plant has gone on
-            const auto at = editor::faultPosition(window->control());
+            const auto at = window->control().faultScan().position();
             return at && window->control().session()->history().statistics().end > *at + 5;
         }));
     }
