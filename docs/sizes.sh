@@ -2,7 +2,7 @@
 # Prints the table of sizes in docs/architecture.md: lines of files, lines of functions from head to closing brace.
 # usage: docs/sizes.sh            the table
 #        docs/sizes.sh FOLDER [N] the N (20) longest functions below a folder and its longest files
-#        docs/sizes.sh modules    each layer's modules over an eighth of its lines
+#        docs/sizes.sh modules    each layer's modules over 12 % of its lines
 # needs universal-ctags
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,11 +25,11 @@ modules() { # floor: lines of a module, share of the floor; a room of sema count
     local floor=$1
     sources "$floor" | while read -r file; do echo "$(dirname "$file") $(wc -l <"$file")"; done |
         awk -v floor="$floor" '{ lines[$1] += $2; all += $2; } END { for (m in lines) print lines[m] "\t" m "\t" 100 * lines[m] / all; }' |
-        sort -rn | awk -F'\t' '{ ++n; all += $1 } $3 > 12.5 { big = big sprintf("%s`%s` %.0f %%", big ? ", " : "", $2, $3) }
+        sort -rn | awk -F'\t' '{ ++n; all += $1 } $3 > 12 { big = big sprintf("%s`%s` %.0f %%", big ? ", " : "", $2, $3) }
             END { printf "%d | %d | %s |\n", n, all, big ? big : "none" }'
 }
 if [ "${1:-}" = modules ]; then
-    echo '| layer | folders | lines | modules over an eighth of them |'
+    echo '| layer | folders | lines | modules over 12 % of them |'
     echo '|---|---|---|---|'
     for floor in runtime projects editor hmi app; do echo "| \`$floor\` | $(modules $floor)"; done
     exit 0
