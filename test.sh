@@ -107,7 +107,7 @@ fuzz() { # fuzz target
         longest=65536 # a recording holds the libraries' text
         words=("-dict=build/fuzz/corpus/$1.dict")
     fi
-    exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" "${words[@]}" -print_final_stats=1 \
+    exec "build/asan/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" "${words[@]}" -print_final_stats=1 \
         "-artifact_prefix=build/fuzz/findings/${1}_" "build/fuzz/corpus/$1" "${seeds[@]}"
 }
 
@@ -122,17 +122,16 @@ if [ "$long" = 1 ]; then
     [ -z "${STEPWISE_CORPUS:-}" ] || long_tests=(broken_corpus "${long_tests[@]}")
     part "dev: broken programs, random programs, damaged files" \
         side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"
-    for preset in asan tsan; do
-        configure $preset
-        part "$preset: build" build $preset
-        part "$preset: every test" run_tests $preset
-    done
-    configure fuzz
-    part "fuzz: build" build fuzz fuzz_targets
+    configure asan
+    part "asan: build, with the fuzz targets" build asan
+    part "asan: every test" run_tests asan
     at_once=${FUZZERS:-2}
     [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
     say "fuzz: ${FUZZ_SECONDS:-600} s each, $at_once at once; a finding lies in build/fuzz/findings"
     part "fuzz: eight targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
         side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change fuzz_messages fuzz_inputs fuzz_peers
+    configure tsan
+    part "tsan: build" build tsan
+    part "tsan: every test with threads" run_tests tsan
 fi
 say "all tests passed"
