@@ -1,5 +1,8 @@
 // The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
 // editable.
+#include "app/documents/design_pages.h"
+#include "app/documents/file_commands.h"
+#include "app/documents/unit_commands.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
 #include "app/main_window.h"
@@ -43,15 +46,15 @@ const std::vector<ActionSpec> kActions = {
     {"file.new", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Project…"), "Ctrl+Shift+N", drawn(Icon::New), [](MainWindow& w) { w.newProject(); }},
     {"file.open", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Open Project…"), "Ctrl+O", drawn(Icon::Open), [](MainWindow& w) { w.chooseProject(); }},
     {"file.close", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Project"), "Ctrl+Shift+W", none, [](MainWindow& w) { w.closeProject(); }},
-    {"file.newUnit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Program, Block, Type…"), "Ctrl+N", drawn(Icon::Pou), [](MainWindow& w) { w.newUnit(); }},
-    {"file.newPanel", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Panel…"), "", drawn(Icon::Panel), [](MainWindow& w) { w.newPanel(); }},
-    {"file.newTrace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Trace…"), "", drawn(Icon::Trace), [](MainWindow& w) { w.newTrace(); }},
-    {"file.texts", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Panel Texts"), "", drawn(Icon::Texts), [](MainWindow& w) { w.openTexts(); }},
-    {"file.alarms", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Alarms"), "", drawn(Icon::Alarm), [](MainWindow& w) { w.openAlarms(); }},
-    {"file.recipes", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Recipes"), "", drawn(Icon::Table), [](MainWindow& w) { w.openRecipes(); }},
-    {"file.people", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Users and Rights"), "", drawn(Icon::User), [](MainWindow& w) { w.openPeople(); }},
-    {"file.save", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save"), "Ctrl+S", drawn(Icon::Save), [](MainWindow& w) { w.saveDocument(); }},
-    {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.saveAll(); }},
+    {"file.newUnit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Program, Block, Type…"), "Ctrl+N", drawn(Icon::Pou), [](MainWindow& w) { w.units().newUnit(); }},
+    {"file.newPanel", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Panel…"), "", drawn(Icon::Panel), [](MainWindow& w) { w.designs().newPanel(); }},
+    {"file.newTrace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Trace…"), "", drawn(Icon::Trace), [](MainWindow& w) { w.projectFiles().newTrace(); }},
+    {"file.texts", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Panel Texts"), "", drawn(Icon::Texts), [](MainWindow& w) { w.designs().openTexts(); }},
+    {"file.alarms", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Alarms"), "", drawn(Icon::Alarm), [](MainWindow& w) { w.designs().openAlarms(); }},
+    {"file.recipes", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Recipes"), "", drawn(Icon::Table), [](MainWindow& w) { w.designs().openRecipes(); }},
+    {"file.people", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Users and Rights"), "", drawn(Icon::User), [](MainWindow& w) { w.designs().openPeople(); }},
+    {"file.save", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save"), "Ctrl+S", drawn(Icon::Save), [](MainWindow& w) { w.designs().save(); }},
+    {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.designs().saveAll(); }},
     {"file.closeTab", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Document"), "Ctrl+W", none, [](MainWindow& w) { if (w.tabs().count()) w.tabs().closePage(w.tabs().currentIndex()); }},
     {"file.libraries", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Libraries…"), "", drawn(Icon::Library), [](MainWindow& w) { w.chooseLibraries(); }},
     {"file.import", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Import…"), "", none, [](MainWindow& w) { importProject(w); }},
@@ -74,10 +77,10 @@ const std::vector<ActionSpec> kActions = {
          auto* e = w.tabs().currentEditor();
          w.search().openSearch(e && e->hasSelectedText() ? e->selectedText() : QString());
      }},
-    {"edit.goToLine", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Line…"), "Ctrl+G", none, [](MainWindow& w) { w.goToLine(); }},
-    {"edit.definition", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Definition"), "F12", drawn(Icon::Forward), [](MainWindow& w) { w.definitionAtCursor(); }},
-    {"edit.uses", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find References"), "Shift+F12", none, [](MainWindow& w) { w.usesAtCursor(); }},
-    {"edit.rename", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Rename…"), "F2", drawn(Icon::Rename), [](MainWindow& w) { if (!editFocusedCell()) w.renameAtCursor(); }},
+    {"edit.goToLine", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Line…"), "Ctrl+G", none, [](MainWindow& w) { w.units().goToLine(); }},
+    {"edit.definition", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Definition"), "F12", drawn(Icon::Forward), [](MainWindow& w) { w.units().definitionAtCursor(); }},
+    {"edit.uses", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find References"), "Shift+F12", none, [](MainWindow& w) { w.units().usesAtCursor(); }},
+    {"edit.rename", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Rename…"), "F2", drawn(Icon::Rename), [](MainWindow& w) { if (!editFocusedCell()) w.units().renameAtCursor(); }},
     {"edit.complete", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Complete"), "", none, inEditor<&editor::StEditor::triggerCompletion>},
     {"edit.fix", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Quick Fix (Alt+Enter)"), "", drawn(Icon::Lightbulb), inEditor<&editor::StEditor::applyFix>},
     {"edit.format", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Format"), "Ctrl+Shift+I", drawn(Icon::Format), inEditor<&editor::StEditor::formatText>},
@@ -92,8 +95,8 @@ const std::vector<ActionSpec> kActions = {
      [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->toggleBookmark(static_cast<int>(e->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(e->cursorOffset())))); }},
     {"edit.nextBookmark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Bookmark"), "Ctrl+Shift+F2", none, [](MainWindow& w) { w.tabs().goToBookmark(1); }},
     {"edit.previousBookmark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Bookmark"), "", none, [](MainWindow& w) { w.tabs().goToBookmark(-1); }},
-    {"edit.asSt", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as ST…"), "Ctrl+Alt+S", none, [](MainWindow& w) { w.showConverted(analysis::TextLanguage::St); }},
-    {"edit.asIl", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as an Instruction List…"), "Ctrl+Alt+I", none, [](MainWindow& w) { w.showConverted(analysis::TextLanguage::Il); }},
+    {"edit.asSt", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as ST…"), "Ctrl+Alt+S", none, [](MainWindow& w) { w.units().showConverted(analysis::TextLanguage::St); }},
+    {"edit.asIl", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as an Instruction List…"), "Ctrl+Alt+I", none, [](MainWindow& w) { w.units().showConverted(analysis::TextLanguage::Il); }},
     {"edit.back", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back"), "Alt+Left", drawn(Icon::Back), [](MainWindow& w) { w.tabs().goBack(); }},
     {"edit.forward", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Forward"), "Alt+Right", drawn(Icon::Forward), [](MainWindow& w) { w.tabs().goForward(); }},
 

@@ -1,5 +1,9 @@
 #include "app/main_window.h"
 
+#include "app/documents/design_pages.h"
+#include "app/documents/file_commands.h"
+#include "app/documents/project_state.h"
+#include "app/documents/unit_commands.h"
 #include "app/frame/dock_tabs.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
@@ -417,6 +421,10 @@ void MainWindow::say(const QString& text, bool isError) {
     m_log->addMessage(text, isError);
 }
 
+void MainWindow::report(const Result<void>& result) {
+    if (!result) say(kit::messageText(result.error()), true);
+}
+
 void MainWindow::openPalette() { m_palette->open(); }
 
 void MainWindow::resetLayout() {
@@ -452,7 +460,7 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (m_workspace->isOpen()) {
         saveProjectState();
-        if (!mayLeaveProject()) return event->ignore();
+        if (!m_designs->mayLeave()) return event->ignore();
         m_workspace->discardRecovery();
     }
     keepRecording();

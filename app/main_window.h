@@ -1,17 +1,15 @@
 // The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and
 // holds no logic of its own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
 #pragma once
-#include "app/project/search_view.h"
 #include "app/settings/settings.h"
 #include "editor/debug/run_control.h"
 #include "editor/workspace/workspace.h"
-#include "projects/analysis/conversion.h"
 
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QMap>
 
-#include <functional>
+#include <memory>
 #include <vector>
 
 class QAction;
@@ -36,7 +34,9 @@ class WatchView;
 namespace plc::app {
 
 class DesignFindings;
+class DesignPages;
 class EditorTabs;
+class FileCommands;
 class InsideViews;
 class LiveViews;
 class PanelFiles;
@@ -44,13 +44,16 @@ class Perspectives;
 class SideBars;
 struct Living;
 class ProblemsView;
+class ProjectState;
 class ProjectTree;
+class SearchView;
 class StartPage;
 class StatusLine;
 class TestRunner;
 class GuideView;
 class TestView;
 class Tour;
+class UnitCommands;
 
 /// One line of the action table: everything a menu, a toolbar, the palette and the shortcut editor need.
 struct ActionSpec {
@@ -89,6 +92,9 @@ public:
     [[nodiscard]] Perspectives& perspectives() { return *m_perspectives; }
     [[nodiscard]] SideBars& sideBars() { return *m_sideBars; }
     [[nodiscard]] PanelFiles& panelFiles() { return *m_files; }
+    [[nodiscard]] DesignPages& designs() { return *m_designs; }
+    [[nodiscard]] UnitCommands& units() { return *m_units; }
+    [[nodiscard]] FileCommands& projectFiles() { return *m_fileCommands; }
     [[nodiscard]] TestView& tests() { return *m_tests; }
     [[nodiscard]] LiveViews& live() { return *m_live; }
     [[nodiscard]] InsideViews& inside() { return *m_inside; }
@@ -104,21 +110,6 @@ public:
     void chooseProject();
     /// The user's own copy of a shipped example: the one made earlier, or a fresh one.
     bool openExample(const QString& example, bool fresh);
-    void newUnit();
-    void newUnitIn(const QString& kind, const QString& file); // preset in the dialog
-    void goToLine();
-    void renameSymbol(const QString& file, uint32_t offset);
-    /// In the code, the tests and the panels; one undo takes all of it back.
-    void renameTo(const QString& file, uint32_t offset, const QString& name);
-    void renameAtCursor();
-    void definitionAtCursor();
-    /// The unit at the cursor in the other language, beside its text.
-    void showConverted(analysis::TextLanguage to);
-    void usesAtCursor();
-    void deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name);
-    void newTrace();
-    void renameProjectFile(const QString& kind, const QString& name);
-    void deleteProjectFile(const QString& kind, const QString& name);
     void chooseLibraries();
     void runTests();
     void openSettings();
@@ -133,13 +124,7 @@ public:
     void stepBack(session::Step how);
     void setHistoryBudget();
     void saveRecording();
-    void newPanel();
-    void openDesigner(const QString& panel);
-    void openTexts();
-    void openAlarms();
-    void openRecipes();
-    void openPeople();
-    /// A place in a panel, in the texts or in the alarms: where a finding lies.
+    /// Where a finding lies: in a panel, the texts, the alarms or the devices.
     void openDesignPlace(const QString& file, const QString& element);
     void openRecording();
     void showRecording(const QString& path);
@@ -148,16 +133,11 @@ public:
     void changeLanguage();
     /// Everything that lives on; afterwards the window can only be destroyed.
     [[nodiscard]] Living release();
-    void saveLanguages(); // that were added in the texts, to project.json
-    void saveAll();
-    void saveDocument(); // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();
 
 signals:
     void rebuildRequested(); // in another language
-    /// A variable was renamed in the code: panels and traces rename it in their bindings.
-    void renamed(const QString& path, const QString& oldName, const QString& newName);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -168,6 +148,7 @@ private:
     void makeDocks();
     void makeStatusLine();
     void connectParts(); // main_window_connections.cpp, like those it calls
+    void makeDocuments();
     void connectStart();
     void connectTree();
     void connectDesigns();
@@ -176,7 +157,6 @@ private:
     void connectViews();
     void connectRun();
     void watchAtCaret(const editor::StEditor& editor, const QString& text);
-    [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void connectTests();
     void connectInside();
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
@@ -184,37 +164,19 @@ private:
     void keepRecording();
     void updateActions();
     void updateRunActions();
-    bool closeDesigns(); // designers, texts, alarms…; false when one wants to stay
-    /// A page that works on the panels and what belongs to them.
-    [[nodiscard]] static bool isDesignKey(const QString& key);
-    bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
-    bool maySwitchAway(const QString& key);
-    bool asksToSave(const QString& title, const std::function<Result<void>()>& save,
-                    const std::function<void()>& discard);
-    bool mayLeaveProject();
-    void openAsText(const QString& key);
-    void openDocument(const QString& key);
-    [[nodiscard]] bool isUnread(const QString& key) const;
     void report(const Result<void>& result);
     void build();
     void showProject();
     [[nodiscard]] QStringList tourExpressions() const;
-    /// The source of a block, with the values of one instance.
-    void showInstance(const QString& block, const QString& instance);
     /// A project that nobody has arranged yet: room by the size of the window.
     void arrangeAtFirst();
     /// Its guide and its panel in sight, large enough to be read.
     void arrangeForExample();
     void saveProjectState();
     void restoreProjectState();
-    void restoreBreakpoints();
     void restoreLiving(Living living);
     void offerRecovery();
-    void findDefinition(const QString& file, uint32_t offset);
-    void findUses(const QString& file, uint32_t offset);
-    void renameSource(const QString& from, const QString& to);
     void fillRecentMenu();
-    void addDesignPage(QWidget* page, const QString& title, int icon, const QString& key);
 
     Settings m_settings;
     editor::Workspace* m_workspace;
@@ -241,6 +203,10 @@ private:
     QToolButton* m_recordingButton = nullptr; // says that a recording from a file is shown; a click goes back
     DesignFindings* m_findings = nullptr;
     PanelFiles* m_files = nullptr;
+    DesignPages* m_designs = nullptr;
+    UnitCommands* m_units = nullptr;
+    FileCommands* m_fileCommands = nullptr;
+    std::unique_ptr<ProjectState> m_state; // kept for each project
     Perspectives* m_perspectives = nullptr;
     SideBars* m_sideBars = nullptr;
     bool m_changesLanguage = false; // when the tests have ended

@@ -2,9 +2,13 @@
 // lines is a function of its own.
 #include "app/main_window.h"
 
+#include "app/documents/file_commands.h"
+#include "app/documents/project_state.h"
+#include "app/documents/unit_commands.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/status_line.h"
 #include "app/online/device_connections.h"
+#include "app/online/devices_view.h"
 #include "app/pages/editor_tabs.h"
 #include "app/panels/design_findings.h"
 #include "app/panels/live_views.h"
@@ -24,7 +28,33 @@
 
 namespace plc::app {
 
+/// What acts on the documents, from the parts there are.
+void MainWindow::makeDocuments() {
+    m_findings = new DesignFindings(*m_live, *m_problems, this);
+    m_files = new PanelFiles(
+        *m_workspace, *m_live,
+        [this](const QString& file, const std::string& here, const std::string& onDisk) {
+            return askAboutDiskChange(file, here, onDisk, this);
+        },
+        this);
+    m_designs = new DesignPages({*this, *m_workspace, *m_tabs, *m_live, *m_files, *m_findings}, this);
+    m_units = new UnitCommands({*this, *m_workspace, *m_control, *m_tabs, *m_live, *m_search}, this);
+    m_fileCommands = new FileCommands({*this, *m_workspace, *m_control, *m_tabs, *m_live, *m_designs}, this);
+    m_state = std::make_unique<ProjectState>(
+        ProjectState::Parts{m_settings, *m_workspace, *m_control, *m_tabs, *m_designs, *m_watch});
+    connect(m_designs, &DesignPages::message, this, &MainWindow::say);
+    connect(m_designs, &DesignPages::littleRoom, this, [this] {
+        say(tr("%1 arranges the window for drawing panels")
+                .arg(action("view.panelDesign")->shortcut().toString(QKeySequence::NativeText)));
+    });
+    connect(m_units, &UnitCommands::message, this, &MainWindow::say);
+    connect(m_units, &UnitCommands::usesShown, this, [this] { showDock("search"); });
+    connect(m_fileCommands, &FileCommands::message, this, &MainWindow::say);
+    connect(m_fileCommands, &FileCommands::traceMade, this, [this] { showDock("trace"); });
+}
+
 void MainWindow::connectParts() {
+    makeDocuments();
     connectStart();
     connectTree();
     connectDesigns();
@@ -51,18 +81,18 @@ void MainWindow::connectTree() {
     connect(m_tree, &ProjectTree::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tree, &ProjectTree::chartRequested, m_tabs, &EditorTabs::showChart);
-    connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnitIn);
-    connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
-    connect(m_tree, &ProjectTree::deleteRequested, this, &MainWindow::deleteUnit);
-    connect(m_tree, &ProjectTree::newPanelRequested, this, &MainWindow::newPanel);
-    connect(m_tree, &ProjectTree::newTraceRequested, this, &MainWindow::newTrace);
-    connect(m_tree, &ProjectTree::renameFileRequested, this, &MainWindow::renameProjectFile);
-    connect(m_tree, &ProjectTree::deleteFileRequested, this, &MainWindow::deleteProjectFile);
+    connect(m_tree, &ProjectTree::newUnitRequested, m_units, &UnitCommands::newUnit);
+    connect(m_tree, &ProjectTree::renameRequested, m_units, &UnitCommands::renameSymbol);
+    connect(m_tree, &ProjectTree::deleteRequested, m_units, &UnitCommands::deleteUnit);
+    connect(m_tree, &ProjectTree::newPanelRequested, m_designs, &DesignPages::newPanel);
+    connect(m_tree, &ProjectTree::newTraceRequested, m_fileCommands, &FileCommands::newTrace);
+    connect(m_tree, &ProjectTree::renameFileRequested, m_fileCommands, &FileCommands::rename);
+    connect(m_tree, &ProjectTree::deleteFileRequested, m_fileCommands, &FileCommands::remove);
     connect(m_tree, &ProjectTree::watchRequested, this, [this](const QString& path) {
         m_watch->add(path);
         showDock("watch");
     });
-    connect(m_tree, &ProjectTree::instanceRequested, this, &MainWindow::showInstance);
+    connect(m_tree, &ProjectTree::instanceRequested, m_units, &UnitCommands::showInstance);
     m_tree->setInstances([this](const QString& path) { return m_control->instanceAt(path); },
                          [this](const QString& block) { return m_control->instancesOf(block); });
     connect(m_tree, &ProjectTree::librariesRequested, this, &MainWindow::chooseLibraries);
@@ -73,34 +103,19 @@ void MainWindow::connectTree() {
     });
     connect(m_tree, &ProjectTree::panelRequested, this, [this](const QString& name) {
         m_live->showPanel(name);
-        openDesigner(name);
+        m_designs->openPanel(name);
     });
-    connect(m_tree, &ProjectTree::textsRequested, this, &MainWindow::openTexts);
-    connect(m_tree, &ProjectTree::alarmsRequested, this, &MainWindow::openAlarms);
-    connect(m_tree, &ProjectTree::recipesRequested, this, &MainWindow::openRecipes);
-    connect(m_tree, &ProjectTree::peopleRequested, this, &MainWindow::openPeople);
+    connect(m_tree, &ProjectTree::textsRequested, m_designs, &DesignPages::openTexts);
+    connect(m_tree, &ProjectTree::alarmsRequested, m_designs, &DesignPages::openAlarms);
+    connect(m_tree, &ProjectTree::recipesRequested, m_designs, &DesignPages::openRecipes);
+    connect(m_tree, &ProjectTree::peopleRequested, m_designs, &DesignPages::openPeople);
     connect(m_tree, &ProjectTree::devicesRequested, this, [this] { showDock("devices"); });
 }
 
 /// Panels, texts and alarms: their pages, their findings, their files.
 void MainWindow::connectDesigns() {
-    connect(m_live, &LiveViews::designsMustClose, this, [this] {
-        for (int i = m_tabs->count() - 1; i >= 0; --i) {
-            QWidget* page = m_tabs->widget(i);
-            const QString key = page->property("pageKey").toString();
-            if (!isDesignKey(key)) continue;
-            m_tabs->removeTab(i);
-            delete page;
-        }
-    });
+    connect(m_live, &LiveViews::designsMustClose, m_designs, &DesignPages::drop);
     connect(m_live, &LiveViews::message, this, &MainWindow::say);
-    m_findings = new DesignFindings(*m_live, *m_problems, this);
-    m_files = new PanelFiles(
-        *m_workspace, *m_live,
-        [this](const QString& file, const std::string& here, const std::string& onDisk) {
-            return askAboutDiskChange(file, here, onDisk, this);
-        },
-        this);
     connect(m_files, &PanelFiles::message, this, &MainWindow::say);
     connect(m_files, &PanelFiles::changedStateChanged, m_tabs, &EditorTabs::markPage);
     connect(m_files, &PanelFiles::panelGone, this, [this](const QString& key) {
@@ -108,7 +123,13 @@ void MainWindow::connectDesigns() {
     });
     connect(m_workspace, &editor::Workspace::saved, m_findings, &DesignFindings::schedule);
     connect(m_problems, &ProblemsView::elementRequested, this, &MainWindow::openDesignPlace);
-    m_tabs->setMayClose([this](QWidget* page) { return maySwitchAway(page); });
+    m_tabs->setMayClose([this](QWidget* page) { return m_designs->mayClose(page); });
+}
+
+void MainWindow::openDesignPlace(const QString& file, const QString& element) {
+    if (file != "devices.json") return m_designs->openPlace(file, element);
+    showDock("devices");
+    DevicesView::of(*this).select(element);
 }
 
 void MainWindow::connectSearch() {
@@ -130,7 +151,7 @@ void MainWindow::connectSearch() {
 }
 
 void MainWindow::connectEditors() {
-    connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
+    connect(m_tabs, &EditorTabs::renameRequested, m_units, &UnitCommands::renameTo);
     connect(m_workspace, &editor::Workspace::encodingFound, this, [this](const QString& file, const QString& encoding) {
         say(tr("%1 is encoded in %2 and will be saved in that encoding").arg(file, encoding), true);
     });
@@ -140,9 +161,9 @@ void MainWindow::connectEditors() {
         if (m_settings.changeOnSave() && m_control->isRunning() && !m_control->isUpToDate()) m_control->onlineChange();
     });
     connect(m_tabs, &EditorTabs::editorMade, this, [this](editor::StEditor* made) {
-        connect(made, &editor::StEditor::definitionRequested, this, &MainWindow::findDefinition);
-        connect(made, &editor::StEditor::usesRequested, this, &MainWindow::findUses);
-        connect(made, &editor::StEditor::renameRequested, this, &MainWindow::renameSymbol);
+        connect(made, &editor::StEditor::definitionRequested, m_units, &UnitCommands::findDefinition);
+        connect(made, &editor::StEditor::usesRequested, m_units, &UnitCommands::findUses);
+        connect(made, &editor::StEditor::renameRequested, m_units, &UnitCommands::renameSymbol);
         connect(made, &editor::StEditor::watchRequested, this,
                 [this, made](const QString& text) { watchAtCaret(*made, text); });
     });
@@ -171,7 +192,7 @@ void MainWindow::connectViews() {
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
             [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
     connect(m_log, &editor::EventLog::lineRequested, m_tabs, &EditorTabs::goToLine);
-    connect(m_watch, &editor::WatchView::instanceRequested, this, &MainWindow::showInstance);
+    connect(m_watch, &editor::WatchView::instanceRequested, m_units, &UnitCommands::showInstance);
     connect(m_callPath, &editor::CallPathView::instanceChosen, m_control, &editor::RunControl::setPreferredInstance);
     connect(m_callPath, &editor::CallPathView::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });

@@ -1,5 +1,6 @@
 // What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per
 // project.
+#include "app/documents/project_state.h"
 #include "app/frame/kept_size.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
@@ -60,9 +61,8 @@ bool MainWindow::openProject(const QString& folder) {
     if (auto opened = m_workspace->open(folder); !opened) return refused(opened.error());
     m_settings.addRecent(m_workspace->folder());
     showProject();
-    const QStringList lists = m_settings.projectValue(m_workspace->folder(), "watchLists").toStringList();
-    m_watch->restore(lists.isEmpty() ? QStringList{"0", tr("Watch")} : lists);
-    restoreBreakpoints();
+    m_state->restoreWatches(tr("Watch"));
+    m_state->restoreBreakpoints();
     offerRecovery();
     return true;
 }
@@ -81,7 +81,7 @@ void MainWindow::showProject() {
 void MainWindow::closeProject() {
     if (!m_workspace->isOpen()) return;
     saveProjectState();
-    if (!mayLeaveProject()) return;
+    if (!m_designs->mayLeave()) return;
     m_workspace->discardRecovery();
     m_workspace->close();
     m_sideBars->restore({}); // they are the project's
@@ -93,77 +93,16 @@ void MainWindow::closeProject() {
 }
 
 void MainWindow::saveProjectState() {
-    const QString folder = m_workspace->folder();
-    // Every page with its place: "src/main.st|120|Chart", "panel:overview".
-    QStringList pages;
-    for (int i = 0; i < m_tabs->count(); ++i) {
-        if (auto* page = qobject_cast<StPage*>(m_tabs->widget(i)))
-            pages << QStringList{page->file(), QString::number(page->first().cursorOffset()),
-                                 page->chart() && page->chart()->isVisible() ? page->chart()->unit() : QString()}
-                         .join('|');
-        else if (const QString key = m_tabs->widget(i)->property("pageKey").toString();
-                 !key.startsWith("library:") && !key.startsWith("text:"))
-            pages << key;
-    }
-    m_settings.setProjectValue(folder, "pages", pages);
-    m_settings.setProjectValue(folder, "currentPage", m_tabs->currentIndex());
-    m_settings.setProjectValue(folder, "watchLists", m_watch->stored());
     m_perspectives->leaveMaximised();
-    m_settings.setProjectValue(folder, "layout", saveState());
-    m_settings.setProjectValue(folder, "docksThatHide", m_sideBars->stored());
-    QStringList breakpoints;
-    for (const editor::EditorBreakpoint& b : m_control->breakpoints())
-        breakpoints << QStringList{b.file,     QString::number(b.line), b.condition, QString::number(b.hitCount),
-                                   b.instance, b.isEnabled ? "1" : "0"}
-                           .join('\x1f');
-    m_settings.setProjectValue(folder, "breakpoints", breakpoints);
+    m_state->save(saveState(), m_sideBars->stored());
 }
 
 void MainWindow::restoreProjectState() {
-    const QString folder = m_workspace->folder();
-    if (const QByteArray layout = m_settings.projectValue(folder, "layout").toByteArray(); !layout.isEmpty())
-        restoreState(layout);
-    else {
-        restoreState(m_defaultLayout);
-        arrangeAtFirst();
-    }
-    m_sideBars->restore(m_settings.projectValue(folder, "docksThatHide").toStringList());
-    const QStringList pages = m_settings.projectValue(folder, "pages").toStringList();
-    QStringList tabs;
-    for (const QString& page : pages) {
-        if (page.startsWith("panel:"))
-            openDesigner(page.mid(6));
-        else if (page == "texts")
-            openTexts();
-        else if (page == "alarms")
-            openAlarms();
-        else if (page == "recipes")
-            openRecipes();
-        else if (page == "people")
-            openPeople();
-        else if (StPage* opened = m_tabs->openFile(page.section('|', 0, 0))) {
-            opened->first().goTo(page.section('|', 1, 1).toUInt());
-            if (const QString unit = page.section('|', 2); !unit.isEmpty()) opened->showChart(unit);
-        }
-    }
-    if (m_tabs->count() > 0)
-        m_tabs->setCurrentIndex(
-            std::clamp(m_settings.projectValue(folder, "currentPage").toInt(), 0, m_tabs->count() - 1));
-    if (tabs.isEmpty() && m_workspace->files().contains("src/main.st")) tabs << "src/main.st";
-    if (tabs.isEmpty() && !m_workspace->files().isEmpty()) tabs << m_workspace->files().first();
-    if (m_tabs->count() == 0)
-        for (const QString& file : tabs) m_tabs->openFile(file);
-    if (QWidget* page = m_tabs->currentWidget()) page->setFocus();
-}
-
-void MainWindow::restoreBreakpoints() {
-    std::vector<editor::EditorBreakpoint> breakpoints;
-    for (const QString& text : m_settings.projectValue(m_workspace->folder(), "breakpoints").toStringList()) {
-        const QStringList parts = text.split('\x1f');
-        if (parts.size() == 6)
-            breakpoints.push_back({parts[0], parts[1].toInt(), parts[2], parts[3].toInt(), parts[4], parts[5] == "1"});
-    }
-    m_control->setBreakpoints(breakpoints);
+    const QByteArray layout = m_state->layout();
+    restoreState(layout.isEmpty() ? m_defaultLayout : layout);
+    if (layout.isEmpty()) arrangeAtFirst();
+    m_sideBars->restore(m_state->docksThatHide());
+    m_state->restorePages();
 }
 
 void MainWindow::offerRecovery() {
@@ -262,7 +201,7 @@ void MainWindow::chooseLibraries() {
     projects::Project project = m_workspace->project();
     project.libraries = dialog.chosen();
     project.json["libraries"] = project.libraries;
-    if (auto saved = m_workspace->saveProjectFile(project); !saved) say(kit::messageText(saved.error()), true);
+    report(m_workspace->saveProjectFile(project));
 }
 
 void MainWindow::runTests() {

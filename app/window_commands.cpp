@@ -1,4 +1,5 @@
 #include "app/window_commands.h"
+#include "app/documents/design_pages.h"
 
 #include "app/exchange/exchange_dialogs.h"
 #include "app/main_window.h"
@@ -29,7 +30,8 @@ void exportProject(MainWindow& window) {
 
 void buildNativeProgram(MainWindow& window) {
     if (!window.workspace().isOpen()) return;
-    const QString done = buildNativeProgram(&window, window.workspace().folder(), [&window] { window.saveAll(); });
+    const QString done =
+        buildNativeProgram(&window, window.workspace().folder(), [&window] { window.designs().saveAll(); });
     if (!done.isEmpty()) window.say(done);
 }
 

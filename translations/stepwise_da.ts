@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="da" sourcelanguage="en">
 <context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokol</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiveret</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Vært</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Enhedsnummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Seriel port</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paritet</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Databit</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stopbit</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Aflæsningsinterval</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tidsgrænse</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Længste pause mellem forsøg</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variabel: enheden svarer</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Klient-id</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Adgangskodefil</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-kryptering</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fil med CA-certifikater</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabel</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit i registret</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Byterækkefølge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Sti i JSON-meddelelsen</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Servicekvalitet (QoS 0 til 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Broker beholder meddelelsen (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Ved tabt forbindelse</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sikker værdi</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variabel: kanalen er gyldig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP-enhed</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU-enhed (seriel)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP-server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskret indgang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Holderegister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Inputregister (indgang)</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Behold den seneste værdi</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Brug den sikre værdi</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Stop styringen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Lige</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ulige</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Indgang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Udgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nej</translation>
+    </message>
+</context>
+<context>
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
@@ -305,10 +528,6 @@
     <message>
         <source>Unterminated string; add the closing quote</source>
         <translation>Strengen er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
-    </message>
-    <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Dette er ikke gyldig UTF-8; gem filen som UTF-8</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -645,10 +864,6 @@
     <message>
         <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
         <translation>Ingen transition fører til trin {0}; det kan aldrig blive aktivt: tilføj en TRANSITION til det</translation>
-    </message>
-    <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} er ikke en aktionskvalifikator; brug N, R, S, L, D, P, SD, DS eller SL</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
@@ -3186,10 +3401,6 @@
         <translation>Diagrammet i {0} blev ikke læst: et udtryk henviser til sig selv uden ende; skriv dets krop i ST</translation>
     </message>
     <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>En betingelse i {0} kalder en blok, hvilket ikke er muligt i en betingelse; kald blokken før, og brug dens udgang</translation>
-    </message>
-    <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
         <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst; skriv dens betingelse i teksten</translation>
     </message>
@@ -4849,10 +5060,6 @@
         <translation>Sensor</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Lampe</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirene</translation>
     </message>
@@ -5211,10 +5418,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Skift tema</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Lampesymbol</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6319,6 @@
         <translation>{0} er ikke adressen på en styring; skriv for eksempel https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} kan ikke nås: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} afviser forbindelsen: {1}</translation>
     </message>
@@ -6158,10 +6357,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} bruger TLS på denne port; brug adressen {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>{0} kan ikke nås via TLS: {1}; start styringen dér med --certificate, eller brug en http-adresse på samme computer</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6439,10 +6634,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -6946,6 +7137,49 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DesignPages</name>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recepter</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Brugere og rettigheder</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Nyt panel</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Panelets navn:</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>oversigt</translation>
+    </message>
+    <message>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>Et panels navn kan ikke indeholde / eller \; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ændringer, der ikke er gemt</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 er ændret. Skal ændringerne gemmes?</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::DevicesView</name>
     <message>
         <source>off</source>
@@ -7231,6 +7465,65 @@
     </message>
 </context>
 <context>
+    <name>plc::app::FileCommands</name>
+    <message>
+        <source>New Trace</source>
+        <translation>Ny trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Tracens navn:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Et filnavn kan ikke indeholde / eller \; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Der findes allerede en trace %1; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nyt navn på %1:</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Der findes allerede en fil %1; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Slet %1?</translation>
+    </message>
+    <message>
+        <source>It contains %1.</source>
+        <translation>Den indeholder %1.</translation>
+    </message>
+    <message>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
+        <translation>Disse paneler henviser til det; deres knapper fører så ingen steder hen: %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::GuideView</name>
     <message>
         <source>About this project</source>
@@ -7434,22 +7727,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>Et panels navn kan ikke indeholde / eller \; vælg et andet navn</translation>
-    </message>
-    <message>
-        <source>Name of the panel:</source>
-        <translation>Panelets navn:</translation>
-    </message>
-    <message>
-        <source>New Panel</source>
-        <translation>Nyt panel</translation>
-    </message>
-    <message>
-        <source>overview</source>
-        <translation>oversigt</translation>
-    </message>
-    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
@@ -7586,41 +7863,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Stepwise blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
     </message>
     <message>
-        <source>Go to Line</source>
-        <translation>Gå til linje</translation>
-    </message>
-    <message>
-        <source>Line (1 to %1)</source>
-        <translation>Linje (1 til %1)</translation>
-    </message>
-    <message>
-        <source>Nothing is declared under this name; declare it or check the name</source>
-        <translation>Intet er erklæret under dette navn; erklær det, eller kontroller det</translation>
-    </message>
-    <message>
-        <source>There is no name at the cursor; put the cursor on one</source>
-        <translation>Der er intet navn ved markøren; sæt markøren på et</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Omdøb</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is now %2 in %n place(s)</source>
-        <translation>
-            <numerusform>%1 hedder nu %2, %n sted</numerusform>
-            <numerusform>%1 hedder nu %2, %n steder</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete %1?</source>
-        <translation>Slet %1?</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Slet</translation>
-    </message>
-    <message>
         <source>Libraries</source>
         <translation>Biblioteker</translation>
     </message>
@@ -7735,10 +7977,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Ctrl+Skift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>Tekster</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -8061,14 +8299,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>%1 – tilbage til livevisning</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Ændringer, der ikke er gemt</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 er ændret. Skal ændringerne gemmes?</translation>
-    </message>
-    <message>
         <source>Open a Recording</source>
         <translation>Åbn en optagelse</translation>
     </message>
@@ -8081,71 +8311,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vis som instruktionsliste…</translation>
     </message>
     <message>
-        <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Sæt markøren i en programenhed, der er skrevet i ST eller IL</translation>
-    </message>
-    <message>
-        <source>The text has changed meanwhile</source>
-        <translation>Teksten er ændret i mellemtiden</translation>
-    </message>
-    <message>
         <source>New Trace…</source>
         <translation>Ny trace…</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s).</source>
-        <translation>
-            <numerusform>Den bruges %n andet sted.</numerusform>
-            <numerusform>Den bruges %n andre steder.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete and Comment Out the Uses</source>
-        <translation>Slet, og udkommenter anvendelserne</translation>
-    </message>
-    <message>
-        <source>Show the Uses</source>
-        <translation>Vis anvendelserne</translation>
-    </message>
-    <message>
-        <source>New Trace</source>
-        <translation>Ny trace</translation>
-    </message>
-    <message>
-        <source>Name of the trace:</source>
-        <translation>Tracens navn:</translation>
-    </message>
-    <message>
-        <source>trace</source>
-        <translation>trace</translation>
-    </message>
-    <message>
-        <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Et filnavn kan ikke indeholde / eller \; vælg et andet navn</translation>
-    </message>
-    <message>
-        <source>A trace %1 already exists; choose another name</source>
-        <translation>Der findes allerede en trace %1; vælg et andet navn</translation>
-    </message>
-    <message>
-        <source>New name of %1:</source>
-        <translation>Nyt navn på %1:</translation>
-    </message>
-    <message>
-        <source>A file %1 already exists; choose another name</source>
-        <translation>Der findes allerede en fil %1; vælg et andet navn</translation>
-    </message>
-    <message>
-        <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
-    </message>
-    <message>
-        <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Disse paneler henviser til det; deres knapper fører så ingen steder hen: %1</translation>
-    </message>
-    <message>
-        <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -8174,14 +8341,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>This is your copy of the example, in %1</source>
         <translation>Dette er din kopi af eksemplet, i %1</translation>
-    </message>
-    <message>
-        <source>The project is still being checked; try again in a moment</source>
-        <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
-    </message>
-    <message>
-        <source>It contains %1.</source>
-        <translation>Den indeholder %1.</translation>
     </message>
     <message>
         <source>The language changes when the tests have ended</source>
@@ -8306,10 +8465,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Tuning</source>
         <translation>Regulatorindstilling</translation>
-    </message>
-    <message>
-        <source>%1 is not a source of this project; open the project that contains it</source>
-        <translation>%1 er ikke en kildefil i dette projekt; åbn det projekt, der indeholder den</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -9376,6 +9531,71 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Tour</source>
         <translation>Rundtur</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::UnitCommands</name>
+    <message>
+        <source>Go to Line</source>
+        <translation>Gå til linje</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Linje (1 til %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>Intet er erklæret under dette navn; erklær det, eller kontroller det</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Sæt markøren i en programenhed, der er skrevet i ST eller IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Teksten er ændret i mellemtiden</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>Der er intet navn ved markøren; sæt markøren på et</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 hedder nu %2, %n sted</numerusform>
+            <numerusform>%1 hedder nu %2, %n steder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Slet %1?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Den bruges %n andet sted.</numerusform>
+            <numerusform>Den bruges %n andre steder.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Slet, og udkommenter anvendelserne</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Vis anvendelserne</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 er ikke en kildefil i dette projekt; åbn det projekt, der indeholder den</translation>
     </message>
 </context>
 <context>
@@ -12973,229 +13193,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt *.trace);;Alle filer (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Navn</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Kommentar</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protokol</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Aktiveret</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Vært</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Port</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Enhedsnummer</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Seriel port</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Paritet</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Databit</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Stopbit</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Aflæsningsinterval</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Tidsgrænse</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Længste pause mellem forsøg</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variabel: enheden svarer</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Klient-id</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Bruger</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Adgangskodefil</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>TLS-kryptering</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Fil med CA-certifikater</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variabel</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Retning</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tabel</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit i registret</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Byterækkefølge</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Offset</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Sti i JSON-meddelelsen</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Servicekvalitet (QoS 0 til 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Broker beholder meddelelsen (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>Ved tabt forbindelse</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Sikker værdi</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variabel: kanalen er gyldig</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Modbus TCP-enhed</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Modbus RTU-enhed (seriel)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Modbus TCP-server</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>MQTT-broker</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Coil</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Diskret indgang</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Holderegister</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Inputregister (indgang)</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Behold den seneste værdi</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Brug den sikre værdi</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Stop styringen</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ingen</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Lige</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Ulige</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Indgang</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Udgang</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Ja</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Nej</translation>
     </message>
 </context>
 </TS>

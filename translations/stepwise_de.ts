@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiviert</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Datenbits</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stoppbits</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Abfrageintervall</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Zeitlimit</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Längste Pause zwischen Versuchen</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: Gerät antwortet</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Client-ID</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Passwortdatei</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-Verschlüsselung</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Datei der CA-Zertifikate</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit des Registers</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytereihenfolge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Pfad in der JSON-Nachricht</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Dienstgüte (QoS 0 bis 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Nachricht bleibt beim Broker (Retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Bei Verbindungsverlust</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sicherer Wert</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: Kanal ist gültig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus-TCP-Gerät</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus-RTU-Gerät (seriell)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus-TCP-Server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-Broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskreter Eingang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Halteregister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Eingangsregister</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Letzten Wert behalten</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Sicheren Wert verwenden</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Steuerung anhalten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ungerade</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+</context>
+<context>
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
@@ -305,10 +528,6 @@
     <message>
         <source>Unterminated string; add the closing quote</source>
         <translation>Zeichenkette nicht abgeschlossen; schließendes Anführungszeichen ergänzen</translation>
-    </message>
-    <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Das ist kein gültiges UTF-8; die Datei als UTF-8 speichern</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -645,10 +864,6 @@
     <message>
         <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
         <translation>Zu Schritt {0} führt keine Transition; er kann nie aktiv werden: eine TRANSITION zu ihm hinzufügen</translation>
-    </message>
-    <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} ist kein Bestimmungszeichen; N, R, S, L, D, P, SD, DS oder SL verwenden</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
@@ -3186,10 +3401,6 @@
         <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck verweist endlos auf sich selbst; schreiben Sie seinen Rumpf in ST</translation>
     </message>
     <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Eine Bedingung in {0} ruft einen Baustein auf, was in einer Bedingung nicht möglich ist; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
-    </message>
-    <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
         <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen; schreiben Sie ihre Bedingung im Text</translation>
     </message>
@@ -4849,10 +5060,6 @@
         <translation>Sensor</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Lampe</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirene</translation>
     </message>
@@ -5211,10 +5418,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Farbschema wechseln</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Lampensymbol</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6319,6 @@
         <translation>{0} ist nicht die Adresse einer Steuerung; schreiben Sie zum Beispiel https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} ist nicht erreichbar: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} lehnt die Verbindung ab: {1}</translation>
     </message>
@@ -6158,10 +6357,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} verwendet an diesem Port TLS; geben Sie die Adresse {1} ein</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>{0} ist über TLS nicht erreichbar: {1}; starten Sie die Steuerung dort mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6439,10 +6634,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -6946,6 +7137,49 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DesignPages</name>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepturen</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Benutzer und Rechte</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Neues Panel</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Name des Panels:</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>uebersicht</translation>
+    </message>
+    <message>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>Der Name eines Panels darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 wurde geändert. Speichern?</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::DevicesView</name>
     <message>
         <source>off</source>
@@ -7231,6 +7465,65 @@
     </message>
 </context>
 <context>
+    <name>plc::app::FileCommands</name>
+    <message>
+        <source>New Trace</source>
+        <translation>Neuer Trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Name des Trace:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Ein Dateiname darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Ein Trace %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Neuer Name von %1:</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Eine Datei %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>%1 löschen?</translation>
+    </message>
+    <message>
+        <source>It contains %1.</source>
+        <translation>Sie enthält %1.</translation>
+    </message>
+    <message>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
+        <translation>Diese Panels verweisen darauf; ihre Schaltflächen führen dann ins Leere: %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::GuideView</name>
     <message>
         <source>About this project</source>
@@ -7434,22 +7727,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>Der Name eines Panels darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>Name of the panel:</source>
-        <translation>Name des Panels:</translation>
-    </message>
-    <message>
-        <source>New Panel</source>
-        <translation>Neues Panel</translation>
-    </message>
-    <message>
-        <source>overview</source>
-        <translation>uebersicht</translation>
-    </message>
-    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
@@ -7586,41 +7863,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Stepwise wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
     </message>
     <message>
-        <source>Go to Line</source>
-        <translation>Gehe zu Zeile</translation>
-    </message>
-    <message>
-        <source>Line (1 to %1)</source>
-        <translation>Zeile (1 bis %1)</translation>
-    </message>
-    <message>
-        <source>Nothing is declared under this name; declare it or check the name</source>
-        <translation>Unter diesem Namen ist nichts deklariert; deklarieren Sie ihn oder prüfen Sie ihn</translation>
-    </message>
-    <message>
-        <source>There is no name at the cursor; put the cursor on one</source>
-        <translation>Am Cursor steht kein Name; setzen Sie den Cursor auf einen</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is now %2 in %n place(s)</source>
-        <translation>
-            <numerusform>%1 heißt jetzt %2, an %n Stelle</numerusform>
-            <numerusform>%1 heißt jetzt %2, an %n Stellen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete %1?</source>
-        <translation>%1 löschen?</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
         <source>Libraries</source>
         <translation>Bibliotheken</translation>
     </message>
@@ -7735,10 +7977,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Strg+Umschalt+P findet jeden Befehl. Die Startseite hat weitere Maschinen zum Ausprobieren.</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>Texte</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -8061,14 +8299,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>%1 – zurück zum Livebetrieb</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Ungespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 wurde geändert. Speichern?</translation>
-    </message>
-    <message>
         <source>Open a Recording</source>
         <translation>Aufzeichnung öffnen</translation>
     </message>
@@ -8081,71 +8311,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Als Anweisungsliste anzeigen…</translation>
     </message>
     <message>
-        <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Setzen Sie den Cursor in einen ST- oder AWL-Baustein</translation>
-    </message>
-    <message>
-        <source>The text has changed meanwhile</source>
-        <translation>Der Text hat sich inzwischen geändert</translation>
-    </message>
-    <message>
         <source>New Trace…</source>
         <translation>Neuer Trace…</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s).</source>
-        <translation>
-            <numerusform>Verwendet an %n weiteren Stelle.</numerusform>
-            <numerusform>Verwendet an %n weiteren Stellen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete and Comment Out the Uses</source>
-        <translation>Löschen, Verwendungen auskommentieren</translation>
-    </message>
-    <message>
-        <source>Show the Uses</source>
-        <translation>Verwendungen anzeigen</translation>
-    </message>
-    <message>
-        <source>New Trace</source>
-        <translation>Neuer Trace</translation>
-    </message>
-    <message>
-        <source>Name of the trace:</source>
-        <translation>Name des Trace:</translation>
-    </message>
-    <message>
-        <source>trace</source>
-        <translation>trace</translation>
-    </message>
-    <message>
-        <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Ein Dateiname darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>A trace %1 already exists; choose another name</source>
-        <translation>Ein Trace %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>New name of %1:</source>
-        <translation>Neuer Name von %1:</translation>
-    </message>
-    <message>
-        <source>A file %1 already exists; choose another name</source>
-        <translation>Eine Datei %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
-    </message>
-    <message>
-        <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Diese Panels verweisen darauf; ihre Schaltflächen führen dann ins Leere: %1</translation>
-    </message>
-    <message>
-        <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -8174,14 +8341,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>This is your copy of the example, in %1</source>
         <translation>Das ist Ihre Kopie des Beispiels, in %1</translation>
-    </message>
-    <message>
-        <source>The project is still being checked; try again in a moment</source>
-        <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
-    </message>
-    <message>
-        <source>It contains %1.</source>
-        <translation>Sie enthält %1.</translation>
     </message>
     <message>
         <source>The language changes when the tests have ended</source>
@@ -8306,10 +8465,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Tuning</source>
         <translation>Reglereinstellung</translation>
-    </message>
-    <message>
-        <source>%1 is not a source of this project; open the project that contains it</source>
-        <translation>%1 ist keine Quelldatei dieses Projekts; öffnen Sie das Projekt, das sie enthält</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -9376,6 +9531,71 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Tour</source>
         <translation>Rundgang</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::UnitCommands</name>
+    <message>
+        <source>Go to Line</source>
+        <translation>Gehe zu Zeile</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Zeile (1 bis %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>Unter diesem Namen ist nichts deklariert; deklarieren Sie ihn oder prüfen Sie ihn</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Setzen Sie den Cursor in einen ST- oder AWL-Baustein</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Der Text hat sich inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>Am Cursor steht kein Name; setzen Sie den Cursor auf einen</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 heißt jetzt %2, an %n Stelle</numerusform>
+            <numerusform>%1 heißt jetzt %2, an %n Stellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>%1 löschen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Verwendet an %n weiteren Stelle.</numerusform>
+            <numerusform>Verwendet an %n weiteren Stellen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Löschen, Verwendungen auskommentieren</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Verwendungen anzeigen</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 ist keine Quelldatei dieses Projekts; öffnen Sie das Projekt, das sie enthält</translation>
     </message>
 </context>
 <context>
@@ -12973,229 +13193,6 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt *.trace);;Alle Dateien (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Kommentar</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Aktiviert</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Host</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Port</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Gerätenummer</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Serielle Schnittstelle</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Parität</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Datenbits</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Stoppbits</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Abfrageintervall</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Zeitlimit</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Längste Pause zwischen Versuchen</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variable: Gerät antwortet</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Client-ID</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Benutzer</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Passwortdatei</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>TLS-Verschlüsselung</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Datei der CA-Zertifikate</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tabelle</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit des Registers</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Typ</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Bytereihenfolge</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Offset</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Pfad in der JSON-Nachricht</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Dienstgüte (QoS 0 bis 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Nachricht bleibt beim Broker (Retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>Bei Verbindungsverlust</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Sicherer Wert</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variable: Kanal ist gültig</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Modbus-TCP-Gerät</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Modbus-RTU-Gerät (seriell)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Modbus-TCP-Server</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>MQTT-Broker</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Coil</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Diskreter Eingang</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Halteregister</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Eingangsregister</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Letzten Wert behalten</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Sicheren Wert verwenden</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Steuerung anhalten</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Gerade</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Ungerade</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Eingang</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Ausgang</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Ja</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Nein</translation>
     </message>
 </context>
 </TS>

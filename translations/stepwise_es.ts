@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocolo</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Habilitado</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Número de unidad</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Puerto serie</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Velocidad de transmisión</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paridad</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de datos</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits de parada</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalo de sondeo</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tiempo de espera</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pausa máxima entre intentos</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: el dispositivo responde</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identificador del cliente</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Archivo de la contraseña</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Cifrado TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Archivo de certificados de la CA</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit del registro</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Orden de los bytes</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Ruta en el mensaje JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Calidad de servicio (QoS, 0 a 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Mensaje retenido (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Si se pierde la conexión</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valor seguro</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: el canal es válido</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Dispositivo Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Dispositivo Modbus RTU (serie)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Servidor Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Bróker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobina (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrada discreta</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registro de retención</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registro de entrada</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Conservar el último valor</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Usar el valor seguro</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Parar el controlador</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Par</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impar</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Sí</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>No</translation>
+    </message>
+</context>
+<context>
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
@@ -305,10 +528,6 @@
     <message>
         <source>Unterminated string; add the closing quote</source>
         <translation>Cadena sin terminar; añada la comilla de cierre</translation>
-    </message>
-    <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>No es UTF-8 válido; guarde el archivo como UTF-8</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -645,10 +864,6 @@
     <message>
         <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
         <translation>Ninguna transición lleva a la etapa {0}; nunca puede activarse: añada una TRANSITION hacia ella</translation>
-    </message>
-    <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} no es un calificador de acción; use N, R, S, L, D, P, SD, DS o SL</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
@@ -3186,10 +3401,6 @@
         <translation>El diagrama en {0} no se ha leído: una expresión se refiere a sí misma sin fin; escriba su cuerpo en ST</translation>
     </message>
     <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Una condición en {0} llama a un bloque, lo que no es posible en una condición; llame antes al bloque y use su salida</translation>
-    </message>
-    <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
         <translation>La transición {0} no es una única expresión y no se ha leído; escriba su condición en el texto</translation>
     </message>
@@ -4849,10 +5060,6 @@
         <translation>Sensor</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Piloto</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirena</translation>
     </message>
@@ -5211,10 +5418,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Cambiar el tema</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Símbolo de piloto</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6319,6 @@
         <translation>{0} no es la dirección de un controlador; escriba por ejemplo https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>No se puede acceder a {0}: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} rechaza la conexión: {1}</translation>
     </message>
@@ -6158,10 +6357,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} usa TLS en este puerto; use la dirección {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>No se puede acceder a {0} por TLS: {1}; inicie su controlador con --certificate o use una dirección http en el mismo equipo</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6439,10 +6634,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -6946,6 +7137,49 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DesignPages</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recetas</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Usuarios y permisos</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Panel nuevo</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Nombre del panel:</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>vista_general</translation>
+    </message>
+    <message>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>El nombre de un panel no puede contener / ni \; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 ha cambiado. ¿Guardarlo?</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::DevicesView</name>
     <message>
         <source>off</source>
@@ -7231,6 +7465,65 @@
     </message>
 </context>
 <context>
+    <name>plc::app::FileCommands</name>
+    <message>
+        <source>New Trace</source>
+        <translation>Traza nueva</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Nombre de la traza:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>traza</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Un nombre de archivo no puede contener / ni \; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Ya existe una traza %1; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nombre nuevo de %1:</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Ya existe un archivo %1; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>No se puede renombrar el archivo; compruebe los permisos de la carpeta</translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>¿Eliminar %1?</translation>
+    </message>
+    <message>
+        <source>It contains %1.</source>
+        <translation>Contiene %1.</translation>
+    </message>
+    <message>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
+        <translation>Estos paneles llevan a él; sus botones se notificarán como errores: %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>No se puede eliminar el archivo; compruebe los permisos de la carpeta</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::GuideView</name>
     <message>
         <source>About this project</source>
@@ -7434,22 +7727,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>El nombre de un panel no puede contener / ni \; elija otro nombre</translation>
-    </message>
-    <message>
-        <source>Name of the panel:</source>
-        <translation>Nombre del panel:</translation>
-    </message>
-    <message>
-        <source>New Panel</source>
-        <translation>Panel nuevo</translation>
-    </message>
-    <message>
-        <source>overview</source>
-        <translation>vista_general</translation>
-    </message>
-    <message>
         <source>Project</source>
         <translation>Proyecto</translation>
     </message>
@@ -7586,41 +7863,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Stepwise se cerró sin guardar. Se conservaron los cambios sin guardar de %1. ¿Restaurarlos?</translation>
     </message>
     <message>
-        <source>Go to Line</source>
-        <translation>Ir a la línea</translation>
-    </message>
-    <message>
-        <source>Line (1 to %1)</source>
-        <translation>Línea (1 a %1)</translation>
-    </message>
-    <message>
-        <source>Nothing is declared under this name; declare it or check the name</source>
-        <translation>No hay nada declarado con este nombre; declárelo o compruébelo</translation>
-    </message>
-    <message>
-        <source>There is no name at the cursor; put the cursor on one</source>
-        <translation>No hay ningún nombre en el cursor; ponga el cursor sobre uno</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Renombrar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is now %2 in %n place(s)</source>
-        <translation>
-            <numerusform>%1 se llama ahora %2, en %n lugar</numerusform>
-            <numerusform>%1 se llama ahora %2, en %n lugares</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete %1?</source>
-        <translation>¿Eliminar %1?</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Eliminar</translation>
-    </message>
-    <message>
         <source>Libraries</source>
         <translation>Bibliotecas</translation>
     </message>
@@ -7735,10 +7977,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Control+Mayúsculas+P encuentra cualquier comando. La página de inicio tiene más máquinas para probar.</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>Textos</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -8061,14 +8299,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>%1 – volver al directo</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Cambios sin guardar</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 ha cambiado. ¿Guardarlo?</translation>
-    </message>
-    <message>
         <source>Open a Recording</source>
         <translation>Abrir una grabación</translation>
     </message>
@@ -8081,71 +8311,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Mostrar como lista de instrucciones…</translation>
     </message>
     <message>
-        <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Ponga el cursor en una POU escrita en ST o IL</translation>
-    </message>
-    <message>
-        <source>The text has changed meanwhile</source>
-        <translation>El texto ha cambiado mientras tanto</translation>
-    </message>
-    <message>
         <source>New Trace…</source>
         <translation>Traza nueva…</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s).</source>
-        <translation>
-            <numerusform>Se usa en %n lugar más.</numerusform>
-            <numerusform>Se usa en %n lugares más.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete and Comment Out the Uses</source>
-        <translation>Eliminar y comentar los usos</translation>
-    </message>
-    <message>
-        <source>Show the Uses</source>
-        <translation>Mostrar los usos</translation>
-    </message>
-    <message>
-        <source>New Trace</source>
-        <translation>Traza nueva</translation>
-    </message>
-    <message>
-        <source>Name of the trace:</source>
-        <translation>Nombre de la traza:</translation>
-    </message>
-    <message>
-        <source>trace</source>
-        <translation>traza</translation>
-    </message>
-    <message>
-        <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Un nombre de archivo no puede contener / ni \; elija otro nombre</translation>
-    </message>
-    <message>
-        <source>A trace %1 already exists; choose another name</source>
-        <translation>Ya existe una traza %1; elija otro nombre</translation>
-    </message>
-    <message>
-        <source>New name of %1:</source>
-        <translation>Nombre nuevo de %1:</translation>
-    </message>
-    <message>
-        <source>A file %1 already exists; choose another name</source>
-        <translation>Ya existe un archivo %1; elija otro nombre</translation>
-    </message>
-    <message>
-        <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>No se puede renombrar el archivo; compruebe los permisos de la carpeta</translation>
-    </message>
-    <message>
-        <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Estos paneles llevan a él; sus botones se notificarán como errores: %1</translation>
-    </message>
-    <message>
-        <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>No se puede eliminar el archivo; compruebe los permisos de la carpeta</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -8174,14 +8341,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>This is your copy of the example, in %1</source>
         <translation>Esta es su copia del ejemplo, en %1</translation>
-    </message>
-    <message>
-        <source>The project is still being checked; try again in a moment</source>
-        <translation>El proyecto aún se está comprobando; vuelva a intentarlo en un momento</translation>
-    </message>
-    <message>
-        <source>It contains %1.</source>
-        <translation>Contiene %1.</translation>
     </message>
     <message>
         <source>The language changes when the tests have ended</source>
@@ -8306,10 +8465,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Tuning</source>
         <translation>Sintonización</translation>
-    </message>
-    <message>
-        <source>%1 is not a source of this project; open the project that contains it</source>
-        <translation>%1 no es un archivo fuente de este proyecto; abra el proyecto que lo contiene</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -9376,6 +9531,71 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Tour</source>
         <translation>Recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::UnitCommands</name>
+    <message>
+        <source>Go to Line</source>
+        <translation>Ir a la línea</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Línea (1 a %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>No hay nada declarado con este nombre; declárelo o compruébelo</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Ponga el cursor en una POU escrita en ST o IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>El texto ha cambiado mientras tanto</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>No hay ningún nombre en el cursor; ponga el cursor sobre uno</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>El proyecto aún se está comprobando; vuelva a intentarlo en un momento</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 se llama ahora %2, en %n lugar</numerusform>
+            <numerusform>%1 se llama ahora %2, en %n lugares</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>¿Eliminar %1?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Se usa en %n lugar más.</numerusform>
+            <numerusform>Se usa en %n lugares más.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Eliminar y comentar los usos</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Mostrar los usos</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 no es un archivo fuente de este proyecto; abra el proyecto que lo contiene</translation>
     </message>
 </context>
 <context>
@@ -12973,229 +13193,6 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt *.trace);;Todos los archivos (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Comentario</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protocolo</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Habilitado</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Equipo</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Puerto</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Número de unidad</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Puerto serie</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Velocidad de transmisión</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Paridad</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Bits de datos</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Bits de parada</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Intervalo de sondeo</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Tiempo de espera</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Pausa máxima entre intentos</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variable: el dispositivo responde</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Identificador del cliente</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Usuario</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Archivo de la contraseña</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>Cifrado TLS</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Archivo de certificados de la CA</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tabla</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit del registro</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Orden de los bytes</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Factor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Desplazamiento</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Ruta en el mensaje JSON</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Calidad de servicio (QoS, 0 a 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Mensaje retenido (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>Si se pierde la conexión</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Valor seguro</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variable: el canal es válido</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Dispositivo Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Dispositivo Modbus RTU (serie)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Servidor Modbus TCP</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>Bróker MQTT</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobina (coil)</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Entrada discreta</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Registro de retención</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Registro de entrada</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Conservar el último valor</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Usar el valor seguro</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Parar el controlador</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ninguna</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Par</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Impar</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Entrada</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Salida</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Sí</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>No</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Activé</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Hôte</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Numéro d’unité</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Vitesse de transmission</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parité</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de données</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits d’arrêt</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalle de scrutation</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Délai d’attente</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pause maximale entre les tentatives</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable&#xa0;: l’appareil répond</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identifiant du client</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Fichier du mot de passe</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Chiffrement TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fichier des certificats de l’AC</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit du registre</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Ordre des octets</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Chemin dans le message JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Qualité de service (QoS 0 à 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Message conservé par le broker (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>En cas de perte de connexion</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valeur sûre</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable&#xa0;: la voie est valide</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Appareil Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Appareil Modbus RTU (série)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Serveur Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobine (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrée discrète</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registre de maintien</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Garder la dernière valeur</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Utiliser la valeur sûre</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Arrêter l’automate</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impaire</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+</context>
+<context>
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
@@ -305,10 +528,6 @@
     <message>
         <source>Unterminated string; add the closing quote</source>
         <translation>Chaîne non terminée&#x202f;; ajouter le guillemet fermant</translation>
-    </message>
-    <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Ce n’est pas de l’UTF-8 valide&#x202f;; enregistrer le fichier en UTF-8</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -645,10 +864,6 @@
     <message>
         <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
         <translation>Aucune transition ne mène à l’étape {0}&#x202f;; elle ne peut jamais devenir active&#xa0;: ajouter une TRANSITION vers elle</translation>
-    </message>
-    <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} n’est pas un qualificatif d’action&#x202f;; utiliser N, R, S, L, D, P, SD, DS ou SL</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
@@ -3186,10 +3401,6 @@
         <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se réfère à elle-même sans fin&#x202f;; écrivez son corps en ST</translation>
     </message>
     <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Une condition dans {0} appelle un bloc, ce qui n’est pas possible dans une condition&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
-    </message>
-    <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
         <translation>La transition {0} n’est pas une expression unique et n’a pas été lue&#x202f;; écrivez sa condition dans le texte</translation>
     </message>
@@ -4849,10 +5060,6 @@
         <translation>Capteur</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Voyant</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirène</translation>
     </message>
@@ -5211,10 +5418,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Changer de thème</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Symbole de voyant</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6319,6 @@
         <translation>{0} n’est pas l’adresse d’un automate&#x202f;; écrivez par exemple https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} est injoignable&#xa0;: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} refuse la connexion&#xa0;: {1}</translation>
     </message>
@@ -6158,10 +6357,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} utilise TLS sur ce port&#x202f;; utilisez l’adresse {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>{0} est injoignable en TLS&#xa0;: {1}&#x202f;; démarrez son automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6439,10 +6634,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -6946,6 +7137,49 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DesignPages</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recettes</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Utilisateurs et droits</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Nouvelle vue</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Nom de la vue&#xa0;:</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>vue_generale</translation>
+    </message>
+    <message>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>Le nom d’une vue ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 a été modifié. L’enregistrer&#x202f;?</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::DevicesView</name>
     <message>
         <source>off</source>
@@ -7231,6 +7465,65 @@
     </message>
 </context>
 <context>
+    <name>plc::app::FileCommands</name>
+    <message>
+        <source>New Trace</source>
+        <translation>Nouvelle trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Nom de la trace&#xa0;:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Un nom de fichier ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Une trace %1 existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nouveau nom de %1&#xa0;:</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Un fichier %1 existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Supprimer %1&#x202f;?</translation>
+    </message>
+    <message>
+        <source>It contains %1.</source>
+        <translation>Il contient %1.</translation>
+    </message>
+    <message>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
+        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme erreurs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::GuideView</name>
     <message>
         <source>About this project</source>
@@ -7434,22 +7727,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>Le nom d’une vue ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>Name of the panel:</source>
-        <translation>Nom de la vue&#xa0;:</translation>
-    </message>
-    <message>
-        <source>New Panel</source>
-        <translation>Nouvelle vue</translation>
-    </message>
-    <message>
-        <source>overview</source>
-        <translation>vue_generale</translation>
-    </message>
-    <message>
         <source>Project</source>
         <translation>Projet</translation>
     </message>
@@ -7586,41 +7863,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Stepwise a été fermé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
     </message>
     <message>
-        <source>Go to Line</source>
-        <translation>Aller à la ligne</translation>
-    </message>
-    <message>
-        <source>Line (1 to %1)</source>
-        <translation>Ligne (1 à %1)</translation>
-    </message>
-    <message>
-        <source>Nothing is declared under this name; declare it or check the name</source>
-        <translation>Rien n’est déclaré sous ce nom&#x202f;; déclarez-le ou vérifiez-le</translation>
-    </message>
-    <message>
-        <source>There is no name at the cursor; put the cursor on one</source>
-        <translation>Il n’y a pas de nom sous le curseur&#x202f;; placez le curseur sur un nom</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Renommer</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is now %2 in %n place(s)</source>
-        <translation>
-            <numerusform>%1 s’appelle maintenant %2, à %n endroit</numerusform>
-            <numerusform>%1 s’appelle maintenant %2, à %n endroits</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete %1?</source>
-        <translation>Supprimer %1&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>Libraries</source>
         <translation>Bibliothèques</translation>
     </message>
@@ -7735,10 +7977,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Ctrl+Maj+P trouve chaque commande. La page de démarrage propose d’autres machines à essayer.</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>Textes</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -8061,14 +8299,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>%1 – retour au direct</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Modifications non enregistrées</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 a été modifié. L’enregistrer&#x202f;?</translation>
-    </message>
-    <message>
         <source>Open a Recording</source>
         <translation>Ouvrir un enregistrement</translation>
     </message>
@@ -8081,71 +8311,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Afficher en liste d’instructions…</translation>
     </message>
     <message>
-        <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Placez le curseur dans un POU écrit en ST ou en IL</translation>
-    </message>
-    <message>
-        <source>The text has changed meanwhile</source>
-        <translation>Le texte a changé entre-temps</translation>
-    </message>
-    <message>
         <source>New Trace…</source>
         <translation>Nouvelle trace…</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s).</source>
-        <translation>
-            <numerusform>Utilisé à %n autre endroit.</numerusform>
-            <numerusform>Utilisé à %n autres endroits.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete and Comment Out the Uses</source>
-        <translation>Supprimer et commenter les utilisations</translation>
-    </message>
-    <message>
-        <source>Show the Uses</source>
-        <translation>Afficher les utilisations</translation>
-    </message>
-    <message>
-        <source>New Trace</source>
-        <translation>Nouvelle trace</translation>
-    </message>
-    <message>
-        <source>Name of the trace:</source>
-        <translation>Nom de la trace&#xa0;:</translation>
-    </message>
-    <message>
-        <source>trace</source>
-        <translation>trace</translation>
-    </message>
-    <message>
-        <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Un nom de fichier ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>A trace %1 already exists; choose another name</source>
-        <translation>Une trace %1 existe déjà&#x202f;; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>New name of %1:</source>
-        <translation>Nouveau nom de %1&#xa0;:</translation>
-    </message>
-    <message>
-        <source>A file %1 already exists; choose another name</source>
-        <translation>Un fichier %1 existe déjà&#x202f;; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
-    </message>
-    <message>
-        <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme erreurs&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -8174,14 +8341,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>This is your copy of the example, in %1</source>
         <translation>Ceci est votre copie de l’exemple, dans %1</translation>
-    </message>
-    <message>
-        <source>The project is still being checked; try again in a moment</source>
-        <translation>Le projet est encore en cours de vérification&#x202f;; réessayez dans un instant</translation>
-    </message>
-    <message>
-        <source>It contains %1.</source>
-        <translation>Il contient %1.</translation>
     </message>
     <message>
         <source>The language changes when the tests have ended</source>
@@ -8306,10 +8465,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Tuning</source>
         <translation>Réglage</translation>
-    </message>
-    <message>
-        <source>%1 is not a source of this project; open the project that contains it</source>
-        <translation>%1 n’est pas un fichier source de ce projet&#x202f;; ouvrez le projet qui le contient</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -9376,6 +9531,71 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Tour</source>
         <translation>Visite guidée</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::UnitCommands</name>
+    <message>
+        <source>Go to Line</source>
+        <translation>Aller à la ligne</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Ligne (1 à %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>Rien n’est déclaré sous ce nom&#x202f;; déclarez-le ou vérifiez-le</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Placez le curseur dans un POU écrit en ST ou en IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Le texte a changé entre-temps</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>Il n’y a pas de nom sous le curseur&#x202f;; placez le curseur sur un nom</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Le projet est encore en cours de vérification&#x202f;; réessayez dans un instant</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroit</numerusform>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Supprimer %1&#x202f;?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Utilisé à %n autre endroit.</numerusform>
+            <numerusform>Utilisé à %n autres endroits.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Supprimer et commenter les utilisations</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Afficher les utilisations</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 n’est pas un fichier source de ce projet&#x202f;; ouvrez le projet qui le contient</translation>
     </message>
 </context>
 <context>
@@ -12973,229 +13193,6 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt *.trace);;Tous les fichiers (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Commentaire</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protocole</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Activé</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Hôte</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Port</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Numéro d’unité</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Port série</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Vitesse de transmission</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Parité</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Bits de données</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Bits d’arrêt</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Intervalle de scrutation</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Délai d’attente</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Pause maximale entre les tentatives</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variable&#xa0;: l’appareil répond</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Identifiant du client</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Utilisateur</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Fichier du mot de passe</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>Chiffrement TLS</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Fichier des certificats de l’AC</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Direction</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Table</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit du registre</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Ordre des octets</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Facteur</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Chemin dans le message JSON</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Qualité de service (QoS 0 à 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Message conservé par le broker (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>En cas de perte de connexion</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Valeur sûre</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variable&#xa0;: la voie est valide</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Appareil Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Appareil Modbus RTU (série)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Serveur Modbus TCP</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>Broker MQTT</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobine (coil)</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Entrée discrète</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Registre de maintien</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Registre d’entrée</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Garder la dernière valeur</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Utiliser la valeur sûre</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Arrêter l’automate</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucune</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Paire</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Impaire</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Sortie</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Oui</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Non</translation>
     </message>
 </context>
 </TS>

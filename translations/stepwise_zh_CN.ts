@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>启用</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>奇偶校验</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>数据位</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>停止位</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>轮询间隔</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>超时时间</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>重试的最长间隔</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>变量：设备有应答</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>客户端标识</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>密码文件</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS 加密</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>CA 证书文件</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>寄存器的位</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>字节顺序</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>JSON 消息中的路径</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>服务质量（QoS 0 到 2）</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>保留消息 (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>连接断开时</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>安全值</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>变量：通道有效</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP 设备</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU 设备（串行）</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP 服务器</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>离散输入</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>保持寄存器</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>输入寄存器</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>保持最后的值</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>使用安全值</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>停止控制器</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
+    </message>
+</context>
+<context>
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
@@ -305,10 +528,6 @@
     <message>
         <source>Unterminated string; add the closing quote</source>
         <translation>字符串未结束；请补上结束引号</translation>
-    </message>
-    <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>不是有效的 UTF-8；请将文件保存为 UTF-8</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -645,10 +864,6 @@
     <message>
         <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
         <translation>没有转换通向步 {0}；它永远不会激活：请添加通向它的 TRANSITION</translation>
-    </message>
-    <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} 不是动作限定符；请使用 N、R、S、L、D、P、SD、DS 或 SL</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
@@ -3186,10 +3401,6 @@
         <translation>{0} 中的图未读取：表达式无限引用自身；请用 ST 编写其主体</translation>
     </message>
     <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>{0} 中的条件调用了块，而条件不能调用块；请先调用该块，再使用其输出</translation>
-    </message>
-    <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
         <translation>转换 {0} 不是单个表达式，未读取；请在文本中写入其条件</translation>
     </message>
@@ -4848,10 +5059,6 @@
         <translation>传感器</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>指示灯</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>警报器</translation>
     </message>
@@ -5210,10 +5417,6 @@
     <message>
         <source>Change the theme</source>
         <translation>切换主题</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>指示灯符号</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6114,10 +6317,6 @@
         <translation>{0} 不是控制器的地址；例如请写 https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>无法访问 {0}：{1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} 拒绝连接：{1}</translation>
     </message>
@@ -6156,10 +6355,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} 在此端口使用 TLS；请使用地址 {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>无法通过 TLS 连接 {0}：{1}；请用 --certificate 启动其控制器，或在同一台计算机上使用 http 地址</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6437,10 +6632,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>原因可能是参数设置：按模型，回路会以此周期振荡。</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -6944,6 +7135,49 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DesignPages</name>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>用户和权限</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>新建画面</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>画面名称：</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>总览</translation>
+    </message>
+    <message>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>画面名称不能含 / 或 \；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 已更改。是否保存？</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::DevicesView</name>
     <message>
         <source>off</source>
@@ -7225,6 +7459,65 @@
     </message>
 </context>
 <context>
+    <name>plc::app::FileCommands</name>
+    <message>
+        <source>New Trace</source>
+        <translation>新建跟踪</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>跟踪名称：</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>文件名不能含 / 或 \；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>跟踪 %1 已存在；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>%1 的新名称：</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>文件 %1 已存在；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>无法重命名文件；请检查文件夹权限</translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>删除 %1？</translation>
+    </message>
+    <message>
+        <source>It contains %1.</source>
+        <translation>其中包含 %1。</translation>
+    </message>
+    <message>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
+        <translation>这些画面会跳转到它；其按钮将报告为错误：%1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>无法删除文件；请检查文件夹权限</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::GuideView</name>
     <message>
         <source>About this project</source>
@@ -7428,22 +7721,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>画面名称不能含 / 或 \；请使用其他名称</translation>
-    </message>
-    <message>
-        <source>Name of the panel:</source>
-        <translation>画面名称：</translation>
-    </message>
-    <message>
-        <source>New Panel</source>
-        <translation>新建画面</translation>
-    </message>
-    <message>
-        <source>overview</source>
-        <translation>总览</translation>
-    </message>
-    <message>
         <source>Project</source>
         <translation>项目</translation>
     </message>
@@ -7580,40 +7857,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>上次退出时未保存。%1 的未保存更改已保留。是否恢复？</translation>
     </message>
     <message>
-        <source>Go to Line</source>
-        <translation>转到行</translation>
-    </message>
-    <message>
-        <source>Line (1 to %1)</source>
-        <translation>行（1 到 %1）</translation>
-    </message>
-    <message>
-        <source>Nothing is declared under this name; declare it or check the name</source>
-        <translation>没有以此名称声明的内容；请声明或检查该名称</translation>
-    </message>
-    <message>
-        <source>There is no name at the cursor; put the cursor on one</source>
-        <translation>光标处没有名称；请将光标放在名称上</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is now %2 in %n place(s)</source>
-        <translation>
-            <numerusform>%1 现在名为 %2，共 %n 处</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete %1?</source>
-        <translation>删除 %1？</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
         <source>Libraries</source>
         <translation>库</translation>
     </message>
@@ -7728,10 +7971,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Ctrl+Shift+P 可找到任何命令。起始页有更多机器可供试用。</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>文本</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -8054,14 +8293,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>%1 – 返回实时</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>未保存的更改</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 已更改。是否保存？</translation>
-    </message>
-    <message>
         <source>Open a Recording</source>
         <translation>打开记录</translation>
     </message>
@@ -8074,70 +8305,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>显示为指令表…</translation>
     </message>
     <message>
-        <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>请将光标放入用 ST 或 IL 编写的 POU</translation>
-    </message>
-    <message>
-        <source>The text has changed meanwhile</source>
-        <translation>文本在此期间已更改</translation>
-    </message>
-    <message>
         <source>New Trace…</source>
         <translation>新建跟踪…</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s).</source>
-        <translation>
-            <numerusform>还有 %n 处使用。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete and Comment Out the Uses</source>
-        <translation>删除并注释掉使用处</translation>
-    </message>
-    <message>
-        <source>Show the Uses</source>
-        <translation>显示使用处</translation>
-    </message>
-    <message>
-        <source>New Trace</source>
-        <translation>新建跟踪</translation>
-    </message>
-    <message>
-        <source>Name of the trace:</source>
-        <translation>跟踪名称：</translation>
-    </message>
-    <message>
-        <source>trace</source>
-        <translation>跟踪</translation>
-    </message>
-    <message>
-        <source>A file name cannot contain / or \; choose another name</source>
-        <translation>文件名不能含 / 或 \；请使用其他名称</translation>
-    </message>
-    <message>
-        <source>A trace %1 already exists; choose another name</source>
-        <translation>跟踪 %1 已存在；请使用其他名称</translation>
-    </message>
-    <message>
-        <source>New name of %1:</source>
-        <translation>%1 的新名称：</translation>
-    </message>
-    <message>
-        <source>A file %1 already exists; choose another name</source>
-        <translation>文件 %1 已存在；请使用其他名称</translation>
-    </message>
-    <message>
-        <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>无法重命名文件；请检查文件夹权限</translation>
-    </message>
-    <message>
-        <source>These panels link to it; their buttons will be reported as errors: %1</source>
-        <translation>这些画面会跳转到它；其按钮将报告为错误：%1</translation>
-    </message>
-    <message>
-        <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>无法删除文件；请检查文件夹权限</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -8166,14 +8335,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>This is your copy of the example, in %1</source>
         <translation>这是该示例的副本，位于 %1</translation>
-    </message>
-    <message>
-        <source>The project is still being checked; try again in a moment</source>
-        <translation>项目仍在检查中；请稍后重试</translation>
-    </message>
-    <message>
-        <source>It contains %1.</source>
-        <translation>其中包含 %1。</translation>
     </message>
     <message>
         <source>The language changes when the tests have ended</source>
@@ -8298,10 +8459,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Tuning</source>
         <translation>参数整定</translation>
-    </message>
-    <message>
-        <source>%1 is not a source of this project; open the project that contains it</source>
-        <translation>%1 不是此项目的源文件；请打开包含它的项目</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -9364,6 +9521,69 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Tour</source>
         <translation>导览</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::UnitCommands</name>
+    <message>
+        <source>Go to Line</source>
+        <translation>转到行</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>行（1 到 %1）</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>没有以此名称声明的内容；请声明或检查该名称</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>请将光标放入用 ST 或 IL 编写的 POU</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>文本在此期间已更改</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>光标处没有名称；请将光标放在名称上</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>项目仍在检查中；请稍后重试</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 现在名为 %2，共 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>删除 %1？</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>还有 %n 处使用。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>删除并注释掉使用处</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>显示使用处</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 不是此项目的源文件；请打开包含它的项目</translation>
     </message>
 </context>
 <context>
@@ -12951,229 +13171,6 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>记录和表格 (*.rec *.csv *.tsv *.txt *.trace);;所有文件 (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>注释</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>协议</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>启用</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>主机</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>端口</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>站号</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>串口</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>波特率</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>奇偶校验</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>数据位</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>停止位</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>轮询间隔</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>超时时间</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>重试的最长间隔</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>变量：设备有应答</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>客户端标识</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>用户</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>密码文件</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>TLS 加密</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>CA 证书文件</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>变量</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>方向</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>表</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>寄存器的位</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>字节顺序</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>系数</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>偏移</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>JSON 消息中的路径</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>服务质量（QoS 0 到 2）</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>保留消息 (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>连接断开时</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>安全值</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>变量：通道有效</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Modbus TCP 设备</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Modbus RTU 设备（串行）</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Modbus TCP 服务器</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>MQTT 代理</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>线圈</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>离散输入</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>保持寄存器</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>输入寄存器</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>保持最后的值</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>使用安全值</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>停止控制器</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>偶校验</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>奇校验</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>输入</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>输出</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>是</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>否</translation>
     </message>
 </context>
 </TS>

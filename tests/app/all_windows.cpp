@@ -1,5 +1,8 @@
 #include "tests/app/all_windows.h"
 
+#include "app/documents/design_pages.h"
+#include "app/documents/file_commands.h"
+#include "app/documents/unit_commands.h"
 #include "app/exchange/exchange_dialogs.h"
 #include "app/online/devices_view.h"
 #include "app/pages/editor_tabs.h"
@@ -202,15 +205,15 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     page = window.tabs().openFile("src/rungs.st");
     ASSERT_NE(page->showLadder("Rungs"), nullptr);
     look(window, "ladder");
-    window.openTexts();
+    window.designs().openTexts();
     look(window, "texts");
-    window.openAlarms();
+    window.designs().openAlarms();
     look(window, "alarms");
-    window.openRecipes();
+    window.designs().openRecipes();
     look(window, "recipes");
-    window.openPeople();
+    window.designs().openPeople();
     look(window, "users");
-    window.openDesigner("all");
+    window.designs().openPanel("all");
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget());
     ASSERT_NE(designer, nullptr);
     designer->selection().clear();
@@ -250,12 +253,12 @@ static void lookAtExplanation(MainWindow& window, const Look& look) {
 
 void lookAtAllDialogs(MainWindow& window, const Look& look) {
     lookAtDialog(look, "new project", [&] { window.newProject(); });
-    lookAtDialog(look, "new unit", [&] { window.newUnit(); });
+    lookAtDialog(look, "new unit", [&] { window.units().newUnit(); });
     lookAtDialog(look, "settings", [&] { window.openSettings(); });
     lookAtDialog(look, "speed", [&] { window.setSpeed(); });
     lookAtDialog(look, "memory", [&] { window.setHistoryBudget(); });
-    lookAtDialog(look, "new panel", [&] { window.newPanel(); });
-    lookAtDialog(look, "new trace", [&] { window.newTrace(); });
+    lookAtDialog(look, "new panel", [&] { window.designs().newPanel(); });
+    lookAtDialog(look, "new trace", [&] { window.projectFiles().newTrace(); });
     lookAtDialog(look, "libraries", [&] { window.chooseLibraries(); });
     lookAtDialog(look, "about", [&] { window.about(); });
     lookAtDialog(look, "attach", [&] { window.action("run.attach")->trigger(); });
@@ -264,11 +267,11 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
     lookAtDialog(look, "export", [&] { window.action("file.export")->trigger(); });
     StPage* page = window.tabs().openFile("src/main.st");
     page->active().goTo(static_cast<uint32_t>(page->active().utf8().find("counter :=")));
-    lookAtDialog(look, "go to line", [&] { window.goToLine(); });
-    lookAtDialog(look, "rename", [&] { window.renameAtCursor(); });
-    lookAtDialog(look, "conversion", [&] { window.showConverted(analysis::TextLanguage::Il); });
-    lookAtDialog(look, "delete a unit", [&] { window.deleteUnit("src/motor.st", 0, 20, "Motor"); });
-    lookAtDialog(look, "delete a panel", [&] { window.deleteProjectFile("panel", "all"); });
+    lookAtDialog(look, "go to line", [&] { window.units().goToLine(); });
+    lookAtDialog(look, "rename", [&] { window.units().renameAtCursor(); });
+    lookAtDialog(look, "conversion", [&] { window.units().showConverted(analysis::TextLanguage::Il); });
+    lookAtDialog(look, "delete a unit", [&] { window.units().deleteUnit("src/motor.st", 0, 20, "Motor"); });
+    lookAtDialog(look, "delete a panel", [&] { window.projectFiles().remove("panel", "all"); });
     window.action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window.control().status().state == controller::State::Paused; }));
     window.control().view(5);
@@ -279,7 +282,7 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
         MergeDialog dialog("src/main.st", "a := 1;\n", "a := 2;\n", &window);
         dialog.exec();
     });
-    window.openDesigner("all");
+    window.designs().openPanel("all");
     if (auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget())) {
         designer->selection().set({designer->document().panel().elements().front().id()});
         lookAtDialog(look, "array", [&] { designer->duplicateAsArray(); });
@@ -304,7 +307,7 @@ void lookAtAllMenus(MainWindow& window, const Look& look) {
     lookAtMenuOf(look, "menu of the chart", page->showChart("Steps"));
     page = window.tabs().openFile("src/rungs.st");
     lookAtMenuOf(look, "menu of the ladder", page->showLadder("Rungs"));
-    window.openDesigner("all");
+    window.designs().openPanel("all");
     if (auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget()))
         lookAtMenuOf(look, "menu of the designer", &designer->canvas());
 }

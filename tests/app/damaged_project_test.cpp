@@ -7,6 +7,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/settle.h"
 
+#include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
 #include "projects/storage/project_file.h"
 
@@ -62,12 +63,12 @@ protected:
         return files;
     }
     void lookAtEverything() {
-        window->openTexts();
-        window->openAlarms();
-        window->openRecipes();
-        window->openPeople();
+        window->designs().openTexts();
+        window->designs().openAlarms();
+        window->designs().openRecipes();
+        window->designs().openPeople();
         for (const QString& file : QDir(window->workspace().folder() + "/hmi").entryList({"*.panel.json"}))
-            window->openDesigner(file.section('.', 0, 0));
+            window->designs().openPanel(file.section('.', 0, 0));
         for (const char* dock : {"devices", "trace", "panel", "problems"}) window->showDock(dock);
         settle();
         window->action("run.start")->trigger();

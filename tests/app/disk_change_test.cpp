@@ -1,5 +1,6 @@
 // Files of the operator side that other programs change: taken when nothing is unsaved here, asked about when something
 // is, never written over unknowingly; new ones appear; what cannot be read opens as text and is a problem.
+#include "app/documents/design_pages.h"
 #include "app/pages/disk_change.h"
 #include "app/pages/merge_dialog.h"
 #include "app/panels/live_views.h"
@@ -47,7 +48,7 @@ protected:
         return panel && panel->panel.find("a") ? panel->panel.find("a")->text("text") : QString();
     }
     void edit(const char* text) {
-        window->openDesigner("overview");
+        window->designs().openPanel("overview");
         auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
         ASSERT_NE(designer, nullptr);
         designer->document().perform("text",
@@ -84,7 +85,7 @@ protected:
 };
 
 TEST_F(DiskChangeTest, WhatIsCleanHereIsTakenFromDisk) {
-    window->openDesigner("overview");
+    window->designs().openPanel("overview");
     write("hmi/overview.panel.json", panelWith("second"));
     EXPECT_TRUE(waitFor([&] { return shownText() == "second"; }));
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().pageByKey("panel:overview"));
@@ -98,7 +99,7 @@ TEST_F(DiskChangeTest, WhatIsCleanHereIsTakenFromDisk) {
 TEST_F(DiskChangeTest, AThemeWrittenElsewhereIsShownAndWhatIsWrongWithItIsAFinding) {
     write("hmi/overview.panel.json",
           panelWith("first").replace("{\n  \"elements\"", "{\"theme\": \"fog\", \"elements\""));
-    window->openDesigner("overview");
+    window->designs().openPanel("overview");
     auto* canvas = window->tabs().currentWidget()->findChild<hmi::DesignCanvas*>();
     ASSERT_NE(canvas, nullptr);
     const auto isShown = [&](const char* color) {
@@ -169,7 +170,7 @@ TEST_F(DiskChangeTest, NothingIsWrittenOverAFileThatNobodyHasRead) {
 }
 
 TEST_F(DiskChangeTest, ChangedDocumentsHaveAMarkAndSaveAllSavesThem) {
-    window->openTexts();
+    window->designs().openTexts();
     EXPECT_FALSE(tabTitle("texts").contains("●"));
     setText("start", "Anfahren");
     edit("here");
@@ -188,7 +189,7 @@ TEST_F(DiskChangeTest, NewPanelsAppearAndThoseThatAreGoneLeave) {
         return !window->projectTree().tree().findItems(name, Qt::MatchExactly | Qt::MatchRecursive).isEmpty();
     };
     EXPECT_TRUE(waitFor([&] { return window->live().panels().find("second") && isInTree("second"); }));
-    window->openDesigner("second");
+    window->designs().openPanel("second");
     ASSERT_NE(window->tabs().pageByKey("panel:second"), nullptr);
     QFile::remove(folder.path() + "/hmi/second.panel.json");
     EXPECT_TRUE(waitFor([&] { return !window->live().panels().find("second") && !isInTree("second"); }));
@@ -243,7 +244,7 @@ TEST_F(DiskChangeTest, ABrokenPanelOpensAsTextWithItsErrorAndComesBackWhenItIsPu
     write("hmi/broken.panel.json", "{\n  \"elements\": [\n    oops\n  ]\n}\n");
     ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/broken.panel.json:3").isEmpty(); }))
         << problemPlaces().join(" | ").toStdString();
-    window->openDesigner("broken");
+    window->designs().openPanel("broken");
     auto* page = qobject_cast<TextPage*>(window->tabs().currentWidget());
     ASSERT_NE(page, nullptr);
     EXPECT_TRUE(page->shownProblem().contains("3")) << page->shownProblem().toStdString();
@@ -258,7 +259,7 @@ TEST_F(DiskChangeTest, ABrokenPanelOpensAsTextWithItsErrorAndComesBackWhenItIsPu
 TEST_F(DiskChangeTest, ATableThatCouldNotBeReadIsNotWrittenOver) {
     write("hmi/texts.csv", "what is this\r\n");
     EXPECT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/texts.csv:1").isEmpty(); }));
-    window->openTexts();
+    window->designs().openTexts();
     EXPECT_NE(qobject_cast<TextPage*>(window->tabs().currentWidget()), nullptr);
     setText("start", "Anfahren");
     answerNext("keepMine"); // asked what is to become of the file
@@ -314,7 +315,7 @@ TEST_F(DiskChangeTest, TheLineOfAFaultAndTheLineOfAnErrorAreColoured) {
     EXPECT_NE(groundOf(editor(), 1), groundOf(editor(), 2));
     write("hmi/texts.csv", "what is this\r\n");
     EXPECT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/texts.csv:1").isEmpty(); }));
-    window->openTexts();
+    window->designs().openTexts();
     auto* page = qobject_cast<TextPage*>(window->tabs().currentWidget());
     ASSERT_NE(page, nullptr);
     page->showProblem("what is wrong with it", 1);

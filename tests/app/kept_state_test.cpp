@@ -1,5 +1,6 @@
 // What stays: shortcuts, texts after a crash and after a change from outside, and the whole arrangement of a project
 // that is opened again.
+#include "app/documents/design_pages.h"
 #include "app/settings/settings_dialog.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
@@ -104,8 +105,8 @@ TEST_F(KeptStateTest, TheNextMorningEverythingIsWhereItWas) {
     write("hmi/overview.panel.json", "{\n  \"version\": 1,\n  \"elements\": []\n}\n");
     window->closeProject();
     ASSERT_TRUE(window->openProject(folder.path()));
-    window->openDesigner("overview");
-    window->openTexts();
+    window->designs().openPanel("overview");
+    window->designs().openTexts();
     window->tabs().openFile("src/main.st");
     const auto place = static_cast<uint32_t>(editor().utf8().find("done := NOT"));
     editor().goTo(place);

@@ -1,4 +1,5 @@
 // The studio's language changes while the controller runs: the window is another one, everything in it goes on.
+#include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
 #include "app/settings/translation.h"
 #include "editor/debug/debug_views.h"
@@ -104,7 +105,7 @@ TEST_F(LanguageSwitchTest, TheControllerGoesOnAndNothingIsLost) {
 
 TEST_F(LanguageSwitchTest, AnUnsavedPanelStaysUnsaved) {
     ASSERT_TRUE(window->live().addPanel("overview"));
-    window->openDesigner("overview");
+    window->designs().openPanel("overview");
     const auto designer = [&] { return qobject_cast<hmi::PanelDesigner*>(window->tabs().pageByKey("panel:overview")); };
     ASSERT_NE(designer(), nullptr);
     designer()->canvas().insertElements(hmi::Json::array({{{"type", "lamp"}}}), {50, 50});

@@ -1,5 +1,6 @@
 // Room for the work: the editor alone, arrangements for editing, debugging and drawing, a window of 1024 × 700; and
 // small things of the window one meets every day.
+#include "app/documents/design_pages.h"
 #include "app/frame/perspectives.h"
 #include "app/panels/live_views.h"
 #include "app/project/project_tree.h"
@@ -59,7 +60,7 @@ TEST_F(PerspectivesTest, DrawingPanelsHasTheRoomOnASmallScreen) {
     window->resize(1366, 768);
     ASSERT_TRUE(window->live().addPanel("overview"));
     window->showDock("trace"); // which is high
-    window->openDesigner("overview");
+    window->designs().openPanel("overview");
     EXPECT_TRUE(window->statusBar()->currentMessage().startsWith("Ctrl+Alt+3"))
         << window->statusBar()->currentMessage().toStdString();
     QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);

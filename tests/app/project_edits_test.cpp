@@ -1,6 +1,7 @@
 // What an engineer does with units, files and texts in a day and expects to be able to take back: rename and replace
 // over several files, deletion with what refers to it, split view, columns, declarations as a table, files of other
 // editors, examples.
+#include "app/documents/unit_commands.h"
 #include "app/panels/live_views.h"
 #include "app/project/new_project.h"
 #include "app/project/project_tree.h"
@@ -72,7 +73,7 @@ TEST_F(ProjectEditsTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
             dialog->accept();
         }
     });
-    window->renameAtCursor();
+    window->units().renameAtCursor();
     EXPECT_NE(text("src/line.st").find("drive(go := a > 0)"), std::string::npos) << text("src/line.st");
     EXPECT_NE(text("tests/line.st").find("Line.drive.go, 'drive.run'"), std::string::npos) << text("tests/line.st");
     EXPECT_EQ(here.utf8().find("run"), std::string::npos);
@@ -89,8 +90,8 @@ TEST_F(ProjectEditsTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
 TEST_F(ProjectEditsTest, AUnitLeavesWithItsCommentsAndOnlyTheStatementsThatReferToIt) {
     open("src/line.st");
     press("Delete and Comment Out the Uses");
-    window->deleteUnit("src/motor.st", place("src/motor.st", "Motor"), place("src/motor.st", "END_FUNCTION_BLOCK") + 18,
-                       "Motor");
+    window->units().deleteUnit("src/motor.st", place("src/motor.st", "Motor"),
+                               place("src/motor.st", "END_FUNCTION_BLOCK") + 18, "Motor");
     const std::string after = text("src/line.st");
     EXPECT_NE(after.find("    // drive : Motor; // the first\n"), std::string::npos) << after;
     EXPECT_NE(after.find("a, b : INT;"), std::string::npos);
@@ -110,7 +111,7 @@ TEST_F(ProjectEditsTest, OfALineWithSeveralStatementsOnlyOneIsCommentedOut) {
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/g.st"); }));
     open("src/g.st");
     press("Delete and Comment Out the Uses");
-    window->deleteUnit("src/f.st", 9, 40, "F");
+    window->units().deleteUnit("src/f.st", 9, 40, "F");
     EXPECT_EQ(text("src/g.st"), "PROGRAM G\nVAR\n    x, y : INT;\nEND_VAR\nx := 1; (* y := F(); *) x := 2;\n"
                                 "// IF F() > 0 THEN\n//     x := 3;\n// END_IF\nx := 4;\nEND_PROGRAM\n");
 }
@@ -200,7 +201,7 @@ TEST_F(ProjectEditsTest, HoverShowsThePinsOfALibraryBlock) {
     for (const char* pin : {"FUNCTION_BLOCK TON", "→ IN : BOOL", "→ PT : TIME", "← Q : BOOL", "← ET : TIME"})
         EXPECT_NE(hover->declaration.find(pin), std::string::npos) << hover->declaration;
     window->tabs().goTo("src/main.st", place("src/main.st", "TON"));
-    window->definitionAtCursor();
+    window->units().definitionAtCursor();
     ASSERT_NE(window->tabs().currentEditor(), nullptr);
     EXPECT_TRUE(window->tabs().currentEditor()->isReadOnly());
     EXPECT_NE(window->tabs().currentEditor()->utf8().find("FUNCTION_BLOCK TON"), std::string::npos);

@@ -5,6 +5,7 @@
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
 
+#include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
 #include "app/settings/settings_dialog.h"
 #include "editor/kit/theme.h"
@@ -192,12 +193,12 @@ protected:
         if (!w.workspace().isOpen()) return openAgain();
         switch (where % 9) {
         case 0:
-            if (!w.live().panels().panels.empty()) w.openDesigner(w.live().panels().panels.front().name);
+            if (!w.live().panels().panels.empty()) w.designs().openPanel(w.live().panels().panels.front().name);
             return;
         case 1:
-            return w.openTexts();
+            return w.designs().openTexts();
         case 2:
-            return w.openAlarms();
+            return w.designs().openAlarms();
         case 3:
             return w.tabs().showChart("src/main.st", "");
         case 4:

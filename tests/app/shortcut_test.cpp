@@ -1,5 +1,6 @@
 // Every shortcut does what the menu says, wherever the focus is: one of the place itself wins over the window's, both
 // over what a widget would do with the key.
+#include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
 #include "app/project/problems_view.h"
 #include "app/project/project_tree.h"
@@ -57,7 +58,7 @@ protected:
         return window->tabs().currentPage()->chart();
     }
     hmi::PanelDesigner* designer() {
-        window->openDesigner("overview");
+        window->designs().openPanel("overview");
         return qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
     }
     std::vector<Place> places() {
@@ -84,12 +85,12 @@ protected:
             {"designer's outline", [this] { return designer()->findChild<hmi::Outline*>(); }},
             {"texts",
              [this] {
-                 window->openTexts();
+                 window->designs().openTexts();
                  return window->tabs().currentWidget()->findChild<QAbstractItemView*>();
              }},
             {"alarms",
              [this] {
-                 window->openAlarms();
+                 window->designs().openAlarms();
                  return window->tabs().currentWidget()->findChild<QAbstractItemView*>();
              }},
             {"project", tree("project")},

@@ -1,5 +1,6 @@
 // Texts that are not the program's own sources: tests, which the editor knows as well as the program; libraries; files
 // that are read-only on disk. And both sides of a split, the list of completions, the sections of the table.
+#include "app/documents/unit_commands.h"
 #include "app/pages/editor_tabs.h"
 #include "app/project/project_tree.h"
 #include "runtime/diagnostics/diagnostic.h"
@@ -140,7 +141,7 @@ TEST_F(SourcePagesTest, HoverAndDefinitionLeadFromATestIntoTheProgram) {
     EXPECT_FALSE(model->hover(file, place("tests/line.st", "'turns'\nVAR") + 2).has_value()) << "a title is no name";
     StEditor& here = open("tests/line.st");
     here.goTo(place("tests/line.st", "turns > i"));
-    window->definitionAtCursor();
+    window->units().definitionAtCursor();
     EXPECT_EQ(window->tabs().currentEditor()->file(), "src/motor.st");
     EXPECT_EQ(window->tabs().currentEditor()->cursorOffset(), place("src/motor.st", "turns : DINT") + 5);
 }
@@ -150,7 +151,7 @@ TEST_F(SourcePagesTest, ARenameFromATestReachesTheProgramAndOneUndoTakesItBack) 
     StEditor& here = open("tests/line.st");
     here.goTo(place("tests/line.st", "turns > i"));
     type("rounds");
-    window->renameAtCursor();
+    window->units().renameAtCursor();
     EXPECT_NE(text("src/motor.st").find("rounds := rounds + step"), std::string::npos) << text("src/motor.st");
     EXPECT_NE(text("tests/line.st").find("ASSERT Line.drive.rounds > i, 'turns'"), std::string::npos);
     QTest::keyClick(&here, Qt::Key_Z, Qt::ControlModifier);
@@ -159,7 +160,7 @@ TEST_F(SourcePagesTest, ARenameFromATestReachesTheProgramAndOneUndoTakesItBack) 
     here.goTo(place("tests/line.st", "i : INT"));
     ASSERT_NE(window->workspace().presentModel(), nullptr);
     type("pass");
-    window->renameAtCursor(); // the test's own
+    window->units().renameAtCursor(); // the test's own
     EXPECT_NE(text("tests/line.st").find("FOR pass := 0 TO 3 DO"), std::string::npos) << text("tests/line.st");
     EXPECT_EQ(text("src/motor.st"), motor);
 }

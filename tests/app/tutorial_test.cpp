@@ -2,6 +2,7 @@
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
 
+#include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
 #include "app/project/new_project.h"
 #include "editor/debug/watch_view.h"
@@ -83,11 +84,11 @@ TEST(Tutorial, ItsStepsWork) {
 
     // 6: a panel in two languages
     ASSERT_TRUE(window.live().addPanel("overview"));
-    window.openTexts();
+    window.designs().openTexts();
     auto* texts = qobject_cast<hmi::TextEditor*>(window.tabs().pageByKey("texts"));
     ASSERT_NE(texts, nullptr);
     texts->addLanguage("de");
-    window.openDesigner("overview");
+    window.designs().openPanel("overview");
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().pageByKey("panel:overview"));
     ASSERT_NE(designer, nullptr);
     hmi::DesignContext& design = *window.live().design();
@@ -114,7 +115,7 @@ TEST(Tutorial, ItsStepsWork) {
         ASSERT_TRUE(
             texts->model().setData(texts->model().index(row, hmi::TextModel::FirstLanguage + 1), german, Qt::EditRole));
     }
-    window.saveDocument();
+    window.designs().save();
     const auto drawn = projects::openProject({project.toStdString()});
     ASSERT_TRUE(drawn);
     EXPECT_EQ(drawn->languages, (std::vector<std::string>{"en", "de"}));

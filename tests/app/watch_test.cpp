@@ -1,5 +1,6 @@
 // The watch as one works with it: every type in every format, long arrays, parts that come with an online change,
 // prepared values by the mouse, errors that say why; the log that is filtered and copied.
+#include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
@@ -239,7 +240,7 @@ TEST_F(WatchTest, ASingleScanIsOne) {
 TEST_F(WatchTest, TheDesignersPreviewShowsTheRecordingThatIsOpen) {
     run();
     ASSERT_TRUE(window->live().addPanel("main"));
-    window->openDesigner("main");
+    window->designs().openPanel("main");
     auto* designer = window->findChild<hmi::PanelDesigner*>();
     ASSERT_NE(designer, nullptr);
     designer->action(QStringLiteral("live"))->trigger();

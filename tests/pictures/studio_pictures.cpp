@@ -1,5 +1,6 @@
 // Makes docs/pictures: drives the real window on the shipped examples and saves what it shows, light and dark. Run by
 // docs/make_pictures.sh under Xvfb; with a second argument only those of "start", "loop", "chart" or "inside".
+#include "app/documents/design_pages.h"
 #include "app/main_window.h"
 #include "app/online/inside_views.h"
 #include "app/pages/editor_tabs.h"
@@ -158,7 +159,7 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     settle();
 
     hideDocks(window);
-    window.openDesigner("loop");
+    window.designs().openPanel("loop");
     window.action("view.panelDesign")->trigger();
     save(window, "panel_designer_studio");
     window.action("view.editing")->trigger();
