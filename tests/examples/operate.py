@@ -104,7 +104,7 @@ CALM = {
     "mix_2_brix": ["Plant.WrongBatches = 0", "Plant.Spilled = 0.0"],
     "pump_well": ["Plant.DryRuns = 0 OR NOT Plant.Automatic"],
     "rack": ["Plant.EndHits = 0"],
-    "robot_cnc": ["Plant.Wrong = 0"],
+    "robot_cnc": ["Plant.Wrong = 0 OR Plant.misled"],
     "robot_packing": ["Plant.Spilled = 0", "Plant.WrongBoxes = 0"],
     "six_pumps": ["Plant.DryRun = 0"],
     "tank_manual": ["Plant.Overflow = 0"],
