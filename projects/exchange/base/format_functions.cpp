@@ -194,7 +194,8 @@ END_METHOD
 END_FUNCTION_BLOCK
 )ST";
 
-constexpr std::string_view kTextByPointers = R"ST(/// FB_FormatString with texts of any length, given by their addresses.
+constexpr std::string_view kTextByPointers =
+    R"ST(/// FB_FormatString with texts of any length, given by their addresses.
 FUNCTION_BLOCK FB_FormatString2
 VAR_INPUT
     pFormatString : POINTER TO BYTE;

@@ -117,8 +117,7 @@ private:
         if (type == "Block") return block(each, wires, depth);
         if (type == "Jump" || type == "Return") {
             const pugi::xml_node node = add(type == "Jump" ? "jump" : "return");
-            if (type == "Jump")
-                pugi::xml_node(node).append_attribute("label") = textIn(operand, "Expression").c_str();
+            if (type == "Jump") pugi::xml_node(node).append_attribute("label") = textIn(operand, "Expression").c_str();
             connectTo(node, wires);
             return wires;
         }

@@ -75,7 +75,8 @@ void valueAlone(Context& context, const syntax::Expr& e, SourceRange statement, 
     const Operand value = settled(context, expression(context, e));
     if (value.isUnknown()) return;
     // The expression may have said what is odd about it already.
-    if (context.sink.all().size() == errors) context.emit(e.range, findings::FunctionResultIgnored(context.textOf(e.range)));
+    if (context.sink.all().size() == errors)
+        context.emit(e.range, findings::FunctionResultIgnored(context.textOf(e.range)));
     if (value.expr->kind != tree::ExprKind::Call && value.expr->kind != tree::ExprKind::Sequence) return;
     tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, statement);
     evaluate->a = value.expr;
