@@ -10,6 +10,7 @@
 #include "projects/exchange/codesys/codesys2_import.h"
 #include "projects/exchange/codesys/codesys3_export.h"
 #include "projects/exchange/plcopen/plcopen_import.h"
+#include "projects/exchange/plcopen/standard_xml.h"
 #include "projects/exchange/twincat/twincat_import.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -99,6 +100,8 @@ Result<void> FileReader::readXml(const std::string& bytes, const std::string& pl
     if (!file) return file.error();
     if (isPlcopen(*file)) {
         importPlcopen(*file, m_out);
+    } else if (isStandardXml(*file)) {
+        importPlcopen(asPlcopen(*file, m_out.report), m_out);
     } else if (isTwinCat(*file)) {
         importTwinCat(*file, folder, m_out, m_tasks);
     } else if (isCodesysExport(*file)) {

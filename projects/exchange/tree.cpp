@@ -1,6 +1,7 @@
 #include "projects/exchange/tree.h"
 
 #include "projects/exchange/base/xml.h"
+#include "projects/exchange/plcopen/standard_xml.h"
 #include "projects/exchange/twincat/twincat_import.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
@@ -16,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using lex::TokenKind;
 
-constexpr const char* kSources[] = {".xml", ".tcpou", ".tcdut", ".tcgvl", ".tcio", ".tctto", ".exp", ".export", ".st"};
+constexpr const char* kSources[] = {".xml",   ".tcpou", ".tcdut", ".tcgvl",  ".tcio",
+                                    ".tctto", ".cfc",   ".exp",   ".export", ".st"};
 constexpr const char* kSolutions[] = {".sln", ".tsproj", ".tspproj", ".plcproj"};
 
 bool isOneOf(const std::string& word, std::span<const char* const> words) {
@@ -129,7 +131,9 @@ bool holdsProject(const fs::path& path) {
     if (end != ".xml" && end != ".exp" && end != ".st") return false;
     const auto bytes = projects::readFile(path.string());
     if (!bytes) return false;
-    if (end == ".xml") return contains(bytes->substr(0, 4096), "plcopen.org/xml/tc6");
+    if (end == ".xml")
+        return contains(bytes->substr(0, 4096), "plcopen.org/xml/tc6") ||
+               contains(bytes->substr(0, 4096), kStandardNamespace);
     return end == ".exp" ? hasSeveralObjects(*bytes) : declaresConfiguration(*bytes);
 }
 

@@ -194,6 +194,55 @@ END_METHOD
 END_FUNCTION_BLOCK
 )ST";
 
+constexpr std::string_view kTextByPointers =
+    R"ST(/// FB_FormatString with texts of any length, given by their addresses.
+FUNCTION_BLOCK FB_FormatString2
+VAR_INPUT
+    pFormatString : POINTER TO BYTE;
+    arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10 : T_Arg;
+    pOutString : POINTER TO BYTE;
+    nOutSize : UDINT; // bytes, the end mark included
+END_VAR
+VAR_OUTPUT
+    bError : BOOL;
+    nErrId : UDINT;
+END_VAR
+VAR
+    format : FB_FormatString;
+    text : STRING(255);
+    source, target : POINTER TO BYTE;
+    i, length : INT;
+END_VAR
+bError := pFormatString = 0 OR pOutString = 0 OR nOutSize = 0;
+IF bError THEN
+    RETURN;
+END_IF
+source := pFormatString;
+target := ADR(text);
+length := 0;
+WHILE length < 255 AND_THEN source^ <> 0 DO
+    target^ := source^;
+    source := source + 1;
+    target := target + 1;
+    length := length + 1;
+END_WHILE
+target^ := 0;
+format(sFormat := text, arg1 := arg1, arg2 := arg2, arg3 := arg3, arg4 := arg4, arg5 := arg5, arg6 := arg6,
+    arg7 := arg7, arg8 := arg8, arg9 := arg9, arg10 := arg10);
+bError := format.bError OR TO_UDINT(LEN(format.sOut)) >= nOutSize;
+nErrId := format.nErrId;
+target := pOutString;
+FOR i := 0 TO LEN(format.sOut) - 1 DO
+    IF TO_UDINT(i) + 1 >= nOutSize THEN
+        EXIT;
+    END_IF
+    target^ := format.sOut[i];
+    target := target + 1;
+END_FOR
+target^ := 0;
+END_FUNCTION_BLOCK
+)ST";
+
 struct Argument {
     std::string_view type, kind, member, conversion;
 };
@@ -211,6 +260,7 @@ constexpr Argument kArguments[] = {
 } // namespace
 
 std::string_view formatStringText() { return kText; }
+std::string_view formatString2Text() { return kTextByPointers; }
 
 std::string formatArgumentText(std::string_view type) {
     for (const Argument& each : kArguments) {

@@ -8,6 +8,8 @@ namespace plc::exchange {
 
 /// The block and the type of its arguments.
 [[nodiscard]] std::string_view formatStringText();
+/// FB_FormatString2, which uses it.
+[[nodiscard]] std::string_view formatString2Text();
 /// F_INT of "INT"; empty for a type that has no such function.
 [[nodiscard]] std::string formatArgumentText(std::string_view type);
 

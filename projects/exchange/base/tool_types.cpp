@@ -80,6 +80,9 @@ constexpr ToolBlock kFunctions[] = {
      "place);\n"
      "ELSE\n    AdsLog.adsLogLines[1] := text;\nEND_IF\nAdsLog.adsLogCount := AdsLog.adsLogCount + 1;\nAdsLogAdd := "
      "0;\nEND_FUNCTION\n"},
+    {"F_GetSystemTime", "",
+     "/// 100 ns since 1601-01-01, from the calendar of the controller.\nFUNCTION F_GetSystemTime : ULINT\n"
+     "F_GetSystemTime := 116444736000000000 + TO_ULINT(DT_TO_LINT(NOW())) * 10000000;\nEND_FUNCTION\n"},
     {"FAILED", "", "FUNCTION FAILED : BOOL\nVAR_INPUT\n    hr : DINT;\nEND_VAR\nFAILED := hr < 0;\nEND_FUNCTION\n"},
     {"SUCCEEDED", "",
      "FUNCTION SUCCEEDED : BOOL\nVAR_INPUT\n    hr : DINT;\nEND_VAR\nSUCCEEDED := hr >= 0;\nEND_FUNCTION\n"},
@@ -115,6 +118,19 @@ constexpr ToolBlock kFunctions[] = {
      "        MEMCMP := SEL(pBuf1^ < pBuf2^, 1, -1);\n        RETURN;\n    END_IF\n    pBuf1 := pBuf1 + 1;\n"
      "    pBuf2 := pBuf2 + 1;\nEND_FOR\nEND_FUNCTION\n"}};
 
+/// Blocks that only look at the clock: the type that they need, and the text.
+constexpr ToolBlock kClockBlocks[] = {
+    {"NT_GetTime", "TIMESTRUCT",
+     "/// Date and time of the controller, one scan after START.\nFUNCTION_BLOCK NT_GetTime\nVAR_INPUT\n"
+     "    NETID : STRING(23);\n    START : BOOL;\n    TMOUT : TIME := T#5s;\nEND_VAR\nVAR_OUTPUT\n"
+     "    BUSY, ERR : BOOL;\n    ERRID : UDINT;\n    TIMESTR : TIMESTRUCT;\nEND_VAR\nVAR\n    started : R_TRIG;\n"
+     "END_VAR\nstarted(CLK := START);\nIF BUSY THEN\n    TIMESTR.wYear := TO_WORD(YEAR_OF(NOW()));\n"
+     "    TIMESTR.wMonth := TO_WORD(MONTH_OF(NOW()));\n    TIMESTR.wDayOfWeek := TO_WORD(DAY_OF_WEEK(NOW()));\n"
+     "    TIMESTR.wDay := TO_WORD(DAY_OF(NOW()));\n    TIMESTR.wHour := TO_WORD(HOUR_OF(NOW()));\n"
+     "    TIMESTR.wMinute := TO_WORD(MINUTE_OF(NOW()));\n    TIMESTR.wSecond := TO_WORD(SECOND_OF(NOW()));\n"
+     "    TIMESTR.wMilliseconds := TO_WORD(MILLISECOND_OF(NOW()));\n    BUSY := FALSE;\nEND_IF\n"
+     "IF started.Q THEN\n    BUSY := TRUE;\nEND_IF\nEND_FUNCTION_BLOCK\n"}};
+
 /// Writes each of them that is called and that nothing declares.
 void addFunctions(Imported& imported, std::map<std::string, std::string> called,
                   const std::set<std::string>& declared) {
@@ -135,9 +151,11 @@ void addFormatting(Imported& imported, std::map<std::string, std::string>& missi
         if (folded.starts_with("f_") && !declared.count(folded))
             if (std::string text = formatArgumentText(std::string_view(name).substr(2)); !text.empty())
                 texts.emplace(folded, std::move(text));
-    const bool isUsed = !texts.empty() || missing.count("fb_formatstring") || missing.count("t_arg");
+    const bool isByPointers = missing.count("fb_formatstring2") != 0 && !declared.count("fb_formatstring2");
+    const bool isUsed = !texts.empty() || isByPointers || missing.count("fb_formatstring") || missing.count("t_arg");
     if (!isUsed || declared.count("fb_formatstring") || declared.count("t_arg")) return;
     texts.emplace("fb_formatstring", formatStringText());
+    if (isByPointers) texts.emplace("fb_formatstring2", formatString2Text());
     missing.erase("t_arg");
     for (auto& [folded, text] : texts) {
         const auto name = missing.find(folded);
@@ -245,6 +263,16 @@ void dropNamespacesOfTypes(ImportedFile& file) {
     }
 }
 
+/// Writes each block that is used and that nothing declares; the type it needs is in use then.
+void addClockBlocks(Imported& imported, NamesInUse& names) {
+    for (const ToolBlock& each : kClockBlocks) {
+        if (names.units.count(foldCase(each.name)) || !names.types.erase(foldCase(each.name))) continue;
+        names.types.emplace(foldCase(each.needs), each.needs);
+        addFile(imported, "", std::string(each.name), std::string(each.text));
+        imported.report.add(imported.files.back().path, remarks::ToolTypesAdded(toolOf(imported)));
+    }
+}
+
 /// Objects of CODESYS 2.3 are exported without the list of libraries, and Beremiz has none: which of ours is meant is
 /// known by the names that are used.
 void useLibrary(Imported& imported, std::string_view library, const NamesInUse& names) {
@@ -277,6 +305,7 @@ void addToolTypes(Imported& imported) {
         for (ImportedFile& file : imported.files) dropNamespacesOfTypes(file);
     NamesInUse names;
     for (const ImportedFile& file : imported.files) gather(file.text, names);
+    if (isTwinCat) addClockBlocks(imported, names);
     const auto& [used, called, declared, units] = names;
     if (tool == "codesys 2.3") useLibrary(imported, "util", names);
     if (isBeremiz) useLibrary(imported, "analog", names); // the blocks of Annex F

@@ -131,7 +131,16 @@ bool looksLikeXml(std::string_view bytes) {
     return trimmed(head.text).starts_with("<");
 }
 
+XmlFile XmlFile::madeFrom(const XmlFile& other) {
+    XmlFile file;
+    file.m_place = other.m_place;
+    file.m_encoding = other.m_encoding;
+    file.m_isEncodingGuessed = other.m_isEncodingGuessed;
+    return file;
+}
+
 int XmlFile::lineOf(pugi::xml_node node) const {
+    if (const auto it = m_lines.find(node.hash_value()); it != m_lines.end()) return it->second;
     const ptrdiff_t offset = node.offset_debug();
     if (offset < 0) return 0;
     const auto it = std::upper_bound(m_lineBegins.begin(), m_lineBegins.end(), static_cast<size_t>(offset));

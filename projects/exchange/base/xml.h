@@ -8,6 +8,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace plc::exchange {
 
@@ -25,6 +26,10 @@ public:
     /// `codePage`: of a file that neither is in Unicode nor says what it is in.
     [[nodiscard]] static Result<XmlFile> parse(std::string_view bytes, const std::string& place,
                                                std::optional<Encoding> codePage = {}, const XmlLimits& limits = {});
+    /// An empty document in place of `other`, to be filled; `setLine` tells where in `other` a node of it comes from.
+    [[nodiscard]] static XmlFile madeFrom(const XmlFile& other);
+    [[nodiscard]] pugi::xml_document& document() { return *m_document; }
+    void setLine(pugi::xml_node node, int line) { m_lines[node.hash_value()] = line; }
     [[nodiscard]] pugi::xml_node root() const { return m_document->document_element(); }
     [[nodiscard]] int lineOf(pugi::xml_node node) const;
     [[nodiscard]] const std::string& place() const { return m_place; }
@@ -35,6 +40,7 @@ private:
     std::unique_ptr<pugi::xml_document> m_document = std::make_unique<pugi::xml_document>();
     std::string m_place;
     std::vector<size_t> m_lineBegins;
+    std::unordered_map<size_t, int> m_lines; // of a document that was made, by node
     Encoding m_encoding = Encoding::Utf8;
     bool m_isEncodingGuessed = false;
 };

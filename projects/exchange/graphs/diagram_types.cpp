@@ -10,11 +10,32 @@ namespace plc::exchange {
 namespace {
 
 constexpr Operator kOperators[] = {
-    {"AND", "AND", Flow::kAnd},   {"OR", "OR", Flow::kOr},        {"XOR", "XOR", Flow::kXor},
-    {"ADD", "+", Flow::kSum},     {"SUB", "-", Flow::kSum},       {"MUL", "*", Flow::kProduct},
-    {"DIV", "/", Flow::kProduct}, {"MOD", "MOD", Flow::kProduct}, {"EQ", "=", Flow::kEqual},
-    {"NE", "<>", Flow::kEqual},   {"GT", ">", Flow::kLess},       {"GE", ">=", Flow::kLess},
-    {"LT", "<", Flow::kLess},     {"LE", "<=", Flow::kLess},
+    {"AND", "AND", Flow::kAnd},
+    {"OR", "OR", Flow::kOr},
+    {"XOR", "XOR", Flow::kXor},
+    {"ADD", "+", Flow::kSum},
+    {"SUB", "-", Flow::kSum},
+    {"MUL", "*", Flow::kProduct},
+    {"DIV", "/", Flow::kProduct},
+    {"MOD", "MOD", Flow::kProduct},
+    {"EQ", "=", Flow::kEqual},
+    {"NE", "<>", Flow::kEqual},
+    {"GT", ">", Flow::kLess},
+    {"GE", ">=", Flow::kLess},
+    {"LT", "<", Flow::kLess},
+    {"LE", "<=", Flow::kLess},
+    // CFC boxes may have the sign as their name
+    {"=", "=", Flow::kEqual},
+    {"<>", "<>", Flow::kEqual},
+    {">", ">", Flow::kLess},
+    {">=", ">=", Flow::kLess},
+    {"<", "<", Flow::kLess},
+    {"<=", "<=", Flow::kLess},
+    {"+", "+", Flow::kSum},
+    {"-", "-", Flow::kSum},
+    {"*", "*", Flow::kProduct},
+    {"/", "/", Flow::kProduct},
+    {"&", "AND", Flow::kAnd},
 };
 
 bool isDate(const std::string& type) {

@@ -35,15 +35,15 @@ std::map<std::string, std::string> variableTypesIn(std::string_view declaration)
     return out;
 }
 
-namespace {
-
-void declare(Piece& owner, const std::vector<std::pair<std::string, std::string>>& variables) {
+void declareIn(Piece& owner, const std::vector<std::pair<std::string, std::string>>& variables) {
     if (variables.empty()) return;
     if (!owner.declaration.empty() && !owner.declaration.ends_with('\n')) owner.declaration += '\n';
     owner.declaration += "VAR\n";
     for (const auto& [name, type] : variables) owner.declaration += "    " + name + " : " + type + ";\n";
     owner.declaration += "END_VAR\n";
 }
+
+namespace {
 
 DiagramNames namesOf(const Piece& owner) {
     DiagramNames names;
@@ -57,7 +57,7 @@ DiagramNames namesOf(const Piece& owner) {
 std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::string& unit, Piece& owner,
                         Imported& out) {
     const DiagramText text = Diagram(diagram, file, unit, namesOf(owner), out.report).statements();
-    declare(owner, text.variables);
+    declareIn(owner, text.variables);
     const bool isOwnBody = unit.find('.') == std::string::npos || owner.kind == PieceKind::Method;
     if (isOwnBody && owner.declaration.find("{attribute 'view'") == std::string::npos)
         owner.declaration =
@@ -73,7 +73,7 @@ std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::
 std::string chartBody(pugi::xml_node chart, const XmlFile& file, const std::string& unit,
                       const std::map<std::string, std::string>& transitions, Piece& owner, Imported& out) {
     const ChartText text = chartText(chart, file, unit, transitions, namesOf(owner), out.report);
-    declare(owner, text.variables);
+    declareIn(owner, text.variables);
     for (const auto& [name, body] : text.actions) {
         Piece action;
         action.kind = PieceKind::Action;

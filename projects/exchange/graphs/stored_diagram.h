@@ -10,6 +10,8 @@ namespace plc::exchange {
 
 /// The variables of a declaration and their types, as written.
 [[nodiscard]] std::map<std::string, std::string> variableTypesIn(std::string_view declaration);
+/// Variables with their types, as a section of `owner`.
+void declareIn(Piece& owner, const std::vector<std::pair<std::string, std::string>>& variables);
 /// `diagram` is an <LD>, <FBD> or <CFC> of PLCopen; `unit` is its path in exchange.json, `owner` takes the
 /// declarations.
 [[nodiscard]] std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::string& unit,

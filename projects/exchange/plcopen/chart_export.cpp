@@ -168,8 +168,7 @@ private:
             position.append_attribute("x") = 0;
             position.append_attribute("y") = 0;
             action.append_child("reference").append_attribute("name") = std::string(each.action.text).c_str();
-            pugi::xml_node point = action.append_child("connectionPointOut");
-            if (!m_writer.isPlain()) point.append_attribute("formalParameter") = ""; // the schema of 0201 has none
+            action.append_child("connectionPointOut");
         }
     }
 

@@ -93,8 +93,13 @@ private:
     void writeInstance(pugi::xml_node instance, const std::string& task, std::string& out) {
         const std::string name = attribute(instance, "name");
         std::string type = attribute(instance, "typeName");
-        if (type.empty()) type = name; // CODESYS calls the program itself
-        out += "        PROGRAM " + name + (task.empty() ? "" : " WITH " + task) + " : " + type + ";\n";
+        if (type.empty()) type = attribute(instance, "type"); // of versions before 0200
+        if (type.empty()) type = name;                        // CODESYS calls the program itself
+        if (name.find('.') != std::string::npos)              // VisuElems.Visu_Prg
+            return m_report.add(place(instance), remarks::TaskProgramLeftOut(task, type));
+        const std::string connections = attribute(instance, "connections");
+        out += "        PROGRAM " + name + (task.empty() ? "" : " WITH " + task) + " : " + type +
+               (connections.empty() ? "" : "(" + connections + ")") + ";\n";
         m_out.isEmpty = false;
     }
 

@@ -6,6 +6,7 @@
 #include "projects/exchange/plcopen/plcopen_configuration.h"
 #include "projects/exchange/plcopen/plcopen_interface.h"
 #include "projects/exchange/plcopen/plcopen_types.h"
+#include "projects/exchange/plcopen/standard_xml.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -75,7 +76,10 @@ private:
         if (m_out.name.empty()) m_out.name = attribute(content, "name");
         m_product = attribute(header, "productName");
         Json& source = m_out.side["source"];
-        source["format"] = isEdition0201(project) ? "PLCopen XML 0201" : "PLCopen XML 0200";
+        const bool isStandard = attribute(project, "xmlns") == kStandardNamespace;
+        source["format"] = isStandard               ? "IEC 61131-10"
+                           : isEdition0201(project) ? "PLCopen XML 0201"
+                                                    : "PLCopen XML 0200";
         // Beremiz and OpenPLC write the name that the project has where others have that of the tool; few write 0201
         if (isEdition0201(project) && !isTool(m_product)) m_product = "Beremiz or OpenPLC,";
         if (!m_product.empty()) source["product"] = m_product + " " + attribute(header, "productVersion");
@@ -191,11 +195,24 @@ private:
 
     void count(std::string_view keyword) { ++m_out.report.units[std::string(keyword)]; }
 
+    /// Of IEC 61131-10.
+    static std::string inNamespace(pugi::xml_node unit, std::string text) {
+        std::string before, after;
+        if (const std::string space = attribute(unit, "namespace"); !space.empty()) {
+            before = "NAMESPACE " + space + "\n";
+            after = "END_NAMESPACE\n";
+        }
+        for (const pugi::xml_node each : unit.children())
+            if (is(each, "using")) before += "USING " + textOf(each) + ";\n";
+        return before + std::move(text) + after;
+    }
+
     void readDataType(pugi::xml_node node) {
         const std::string name = attribute(node, "name");
         const std::string plain = plainInterface(node);
         count("TYPE");
-        addFile(m_out, folderOf(node, name), name, plain.empty() ? typeDeclaration(node) : plain + "\n");
+        addFile(m_out, folderOf(node, name), name,
+                inNamespace(node, plain.empty() ? typeDeclaration(node) : plain + "\n"));
         readData(node, name);
     }
 
@@ -221,7 +238,7 @@ private:
         count(keywordOf(piece.kind));
         readMembers(pou, piece, name);
         readBodies(pou, piece, name);
-        addFile(m_out, folderOf(pou, name), name, assemble(piece));
+        addFile(m_out, folderOf(pou, name), name, inNamespace(pou, assemble(piece)));
         readData(pou, name);
     }
 
@@ -234,7 +251,7 @@ private:
         for (const char* list : {"Methods", "Properties"})
             for (const pugi::xml_node member : childOf(node, list).children()) readMember(member, piece, piece.name);
         readMembers(node, piece, piece.name);
-        addFile(m_out, folderOf(node, piece.name), piece.name, assemble(piece));
+        addFile(m_out, folderOf(node, piece.name), piece.name, inNamespace(node, assemble(piece)));
     }
 
     void readMembers(pugi::xml_node pou, Piece& piece, const std::string& unit) {

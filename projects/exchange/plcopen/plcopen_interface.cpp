@@ -23,6 +23,7 @@ std::string_view sectionWord(std::string_view element) {
 
 std::string qualifiers(pugi::xml_node section) {
     std::string out;
+    if (const std::string access = attribute(section, "access"); !access.empty()) out += " " + access;
     if (isTrue(section, "constant")) out += " CONSTANT";
     if (isTrue(section, "retain")) out += " RETAIN";
     if (isTrue(section, "nonretain")) out += " NON_RETAIN";
@@ -71,7 +72,8 @@ std::string modifiers(pugi::xml_node interface) {
 }
 
 std::string inheritance(pugi::xml_node interface) {
-    const pugi::xml_node data = childOf(dataOf(interface, "/pouinheritance"), "Inheritance");
+    pugi::xml_node data = childOf(dataOf(interface, "/pouinheritance"), "Inheritance");
+    if (!data) data = childOf(interface, "Inheritance"); // of an interface
     std::string extends, implements;
     for (const pugi::xml_node each : data.children()) {
         const std::string name = trimmed(textOf(each));

@@ -138,7 +138,8 @@ std::string initialText(pugi::xml_node variable) {
     std::string value = valueText(childOf(variable, "initialValue"));
     if (value.empty() || !childOf(childOf(variable, "type"), "string")) return value;
     const auto first = static_cast<unsigned char>(value.front());
-    if (first != '"' && !std::isdigit(first)) return value; // a literal, or the name of a constant
+    const bool isOneWord = value.find_first_of(" \t") == std::string::npos;
+    if (first == '\'' || (first != '"' && !std::isdigit(first) && isOneWord)) return value; // or a constant's name
     std::string text = "'";
     for (const char c : value) {
         if (c == '\'') text += '$';

@@ -20,6 +20,7 @@ struct ArchiveRemark {
 struct ArchiveBody {
     pugi::xml_document document;
     std::vector<ArchiveRemark> remarks;
+    std::vector<std::pair<std::string, std::string>> variables = {}; // that the body needs, with their types
     [[nodiscard]] pugi::xml_node body() const { return document.document_element(); }
 };
 

@@ -11,7 +11,10 @@ using namespace archive;
 
 class CfcConverter {
 public:
-    explicit CfcConverter(ArchiveBody& out) : m_out(out) {}
+    CfcConverter(ArchiveBody& out, std::string_view unit) : m_out(out) {
+        const size_t dot = unit.find('.');
+        if (dot != std::string_view::npos) m_prefix = std::string(unit.substr(dot + 1)) + "_";
+    }
 
     /// The order of the list is that of the execution; lines may lead to what comes before.
     void read(pugi::xml_node diagram) {
@@ -93,6 +96,12 @@ private:
         if (element.type == "CFCInputElement")
             for (const Element& pin : pinsOf(element.node, "Output"))
                 m_outputs[numberOf(pin.node, "Id")] = {owner, "", isTrueIn(pin.node, "Negated")};
+        if (element.type == "CFCComposerElement")
+            for (const Element& pin : pinsOf(element.node, "Output"))
+                m_outputs[numberOf(pin.node, "Id")] = {owner, "", isTrueIn(pin.node, "Negated")};
+        if (element.type == "CFCSelectorElement")
+            for (const Element& pin : pinsOf(element.node, "Output"))
+                m_outputs[numberOf(pin.node, "Id")] = {numberOf(pin.node, "Id"), "", isTrueIn(pin.node, "Negated")};
         if (element.type != "CFCBoxElement") return;
         const Box box = boxOf(element.node);
         for (size_t i = 0; i < box.outputs.size(); ++i)
@@ -141,6 +150,8 @@ private:
             return setText(add("inVariable", node).append_child("expression"), textOf(node));
         if (element.type == "CFCOutputElement") return writeTarget(node);
         if (element.type == "CFCBoxElement") return writeBox(node);
+        if (element.type == "CFCComposerElement") return writeComposer(node);
+        if (element.type == "CFCSelectorElement") return writeSelector(node);
         if (element.type == "CFCJumpElement") return writeJump(node, "jump");
         if (element.type == "CFCReturnElement") return writeJump(node, "return");
         if (element.type == "CFCLabelElement") {
@@ -150,6 +161,44 @@ private:
         if (element.type == "CFCCommentElement")
             return setText(add("comment", node).append_child("content").append_child("xhtml"), textOf(node));
         m_out.remarks.push_back({node, remarks::ElementNotRead(element.type)});
+    }
+
+    std::string structureOf(pugi::xml_node element, const std::string& type) {
+        std::string name = m_prefix + "composed_" + std::to_string(numberOf(element, "Id"));
+        m_out.variables.emplace_back(name, type);
+        return name;
+    }
+    /// Its inputs are the members of a structure, whose type is its last text.
+    void writeComposer(pugi::xml_node element) {
+        const std::vector<std::string> texts = textsOf(element);
+        const std::vector<Element> inputs = pinsOf(element, "Input");
+        if (texts.size() <= inputs.size()) {
+            m_out.remarks.push_back({element, remarks::ElementNotRead(Verbatim("CFCComposerElement"))});
+            return;
+        }
+        const std::string name = structureOf(element, texts.back());
+        for (size_t i = 0; i < inputs.size(); ++i) {
+            if (!m_from.count(numberOf(inputs[i].node, "Id"))) continue;
+            const pugi::xml_node node = add("outVariable", inputs[i].node);
+            connect(node, inputs[i].node);
+            setText(pugi::xml_node(node).append_child("expression"), name + "." + texts[i]);
+        }
+        setText(add("inVariable", element).append_child("expression"), name);
+    }
+    /// Its outputs are the members of a structure, whose type is its first text.
+    void writeSelector(pugi::xml_node element) {
+        const std::vector<std::string> texts = textsOf(element);
+        const std::vector<Element> outputs = pinsOf(element, "Output");
+        if (texts.size() <= outputs.size()) {
+            m_out.remarks.push_back({element, remarks::ElementNotRead(Verbatim("CFCSelectorElement"))});
+            return;
+        }
+        const std::string name = structureOf(element, texts.front());
+        pugi::xml_node node = add("outVariable", element);
+        for (const Element& pin : pinsOf(element, "Input")) connect(node, pin.node);
+        setText(node.append_child("expression"), name);
+        for (size_t i = 0; i < outputs.size(); ++i)
+            setText(add("inVariable", outputs[i].node).append_child("expression"), name + "." + texts[i + 1]);
     }
 
     void writeTarget(pugi::xml_node element) {
@@ -198,18 +247,20 @@ private:
     std::vector<Element> m_elements;
     std::map<long long, long long> m_from; // pin → the pin its line comes from
     std::map<long long, Output> m_outputs; // by pin
+    std::string m_prefix;                  // of variables, for the diagram of an action
     int m_order = 0;
 };
 
 } // namespace
 
-ArchiveBody readStoredCfc(pugi::xml_node stored) {
+ArchiveBody readStoredCfc(pugi::xml_node stored, std::string_view unit) {
     ArchiveBody out;
     if (!childOf(stored, "XmlArchive")) { // of the first versions: as PLCopen XML has it
         out.document.append_copy(stored);
         return out;
     }
-    if (const pugi::xml_node diagram = objectOf(stored, "CFCImplementationObject")) CfcConverter(out).read(diagram);
+    if (const pugi::xml_node diagram = objectOf(stored, "CFCImplementationObject"))
+        CfcConverter(out, unit).read(diagram);
     return out;
 }
 

@@ -5,7 +5,8 @@
 
 namespace plc::exchange {
 
-/// `archive` holds the diagram somewhere below it: a <CFC> of TwinCAT. The body is a <CFC>.
-[[nodiscard]] ArchiveBody readStoredCfc(pugi::xml_node archive);
+/// `archive` holds the diagram somewhere below it: a <CFC> of TwinCAT. The body is a <CFC>. Variables that it needs are
+/// named after `unit`.
+[[nodiscard]] ArchiveBody readStoredCfc(pugi::xml_node archive, std::string_view unit);
 
 } // namespace plc::exchange

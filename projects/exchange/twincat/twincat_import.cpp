@@ -7,6 +7,7 @@
 #include "projects/exchange/twincat/network_list.h"
 #include "projects/exchange/twincat/stored_cfc.h"
 #include "projects/exchange/twincat/stored_chart.h"
+#include "projects/exchange/twincat/stored_ladder.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -70,17 +71,19 @@ private:
         return {};
     }
 
-    static ArchiveBody readArchive(pugi::xml_node archive) {
+    static ArchiveBody readArchive(pugi::xml_node archive, const std::string& unit) {
         if (is(archive, "NWL")) return readNetworkList(archive);
-        if (is(archive, "CFC")) return readStoredCfc(archive);
+        if (is(archive, "CFC")) return readStoredCfc(archive, unit);
+        if (is(archive, "LADDER")) return readStoredLadder(archive);
         return is(archive, "SFC") ? readStoredChart(archive) : ArchiveBody();
     }
     /// False: the archive holds nothing that is known.
     bool readDrawn(pugi::xml_node archive, const std::string& unit, Piece& owner, std::string& body) {
-        const ArchiveBody drawn = readArchive(archive);
+        const ArchiveBody drawn = readArchive(archive, unit);
         if (!drawn.body()) return false;
         for (const ArchiveRemark& each : drawn.remarks)
             m_out.report.add(place(each.node) + " (" + unit + ")", each.remark);
+        declareIn(owner, drawn.variables);
         body = is(archive, "SFC") ? chartBody(drawn.body(), m_file, unit, m_transitions, owner, m_out)
                                   : diagramText(drawn.body(), m_file, unit, owner, m_out);
         m_out.side["units"][unit]["archive"] = toXml(archive);

@@ -416,13 +416,14 @@ private:
         push(kind, begin, m_at);
     }
 
-    /// Digits of a base with single underscores between them; false when there is none or one is out of place.
+    /// Digits of a base with underscores between them, several as TwinCAT has it; false when there is no digit or one
+    /// is out of place.
     bool takeDigits(int base) {
         bool any = false, good = true;
         for (;; ++m_at) {
             const char c = peek();
             if (c == '_') {
-                if (!any || !(isAlnum(peek(1)))) break;
+                if (!any || !(isAlnum(peek(1)) || peek(1) == '_')) break;
                 continue;
             }
             if (base <= 10 ? !isDigit(c) : !isAlnum(c)) break;
@@ -437,6 +438,14 @@ private:
         return any && good;
     }
 
+    /// 10. and 10.E3, which CODESYS accepts, but neither 1..5 nor a member of something.
+    bool endsBehindPoint() const {
+        const char next = peek(1);
+        if (next == 'e' || next == 'E')
+            return isDigit(peek(2)) || ((peek(2) == '-' || peek(2) == '+') && isDigit(peek(3)));
+        return next != '.' && next != '%' && next != '_' && !isAlnum(next) && static_cast<unsigned char>(next) < 0x80;
+    }
+
     void number() {
         const size_t begin = m_at;
         const bool afterDot =
@@ -444,10 +453,10 @@ private:
         takeDigits(10);
         if (peek() == '#' && !afterDot) return based(begin);
         bool real = false;
-        if (!afterDot && peek() == '.' && isDigit(peek(1))) {
+        if (!afterDot && peek() == '.' && (isDigit(peek(1)) || endsBehindPoint())) {
             real = true;
             ++m_at;
-            takeDigits(10);
+            if (isDigit(peek())) takeDigits(10);
         }
         if (!afterDot && (peek() == 'e' || peek() == 'E')) {
             const size_t sign = peek(1) == '+' || peek(1) == '-' ? 2 : 1;

@@ -446,6 +446,45 @@ TEST_F(OtherFormats, TextsWithValuesAreFormattedAsTwinCatDoes) {
     EXPECT_EQ(controller->read("MAIN.c.bError")->integer(), 1); // the second value is missing
 }
 
+TEST_F(OtherFormats, TextsAreFormattedByTheirAddressesToo) {
+    write("fmt/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n f, g : FB_FormatString2;\n format : T_MaxString := 'n=%d';\n"
+                                      " out : STRING(20);\n short : STRING(3);\nEND_VAR\n") +
+                 st("f(pFormatString := ADR(format), arg1 := F_INT(42), pOutString := ADR(out), nOutSize := "
+                    "SIZEOF(out));\ng(pFormatString := ADR(format), arg1 := F_INT(42), pOutString := ADR(short), "
+                    "nOutSize := SIZEOF(short));") +
+                 "</POU>"));
+    const Imported imported = folder("fmt");
+    EXPECT_EQ(errorsOf(imported), "");
+    const auto controller = scanned(imported);
+    ASSERT_TRUE(controller);
+    EXPECT_EQ(textOf(*controller, "out"), "n=42");
+    EXPECT_EQ(textOf(*controller, "short"), "n=4"); // cut, and said so
+    EXPECT_EQ(controller->read("MAIN.f.bError")->integer(), 0);
+    EXPECT_EQ(controller->read("MAIN.g.bError")->integer(), 1);
+}
+
+TEST_F(OtherFormats, TheClockOfTwinCatIsTheControllers) {
+    write("clock/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n clock : NT_GetTime;\n n : INT;\n year, month : WORD;\n"
+                                      " ticks : ULINT;\nEND_VAR\n") +
+                 st("clock(NETID := '', START := TRUE);\nn := n + 1;\nyear := clock.TIMESTR.wYear;\n"
+                    "month := clock.TIMESTR.wMonth;\nticks := F_GetSystemTime();") +
+                 "</POU>"));
+    const Imported imported = folder("clock");
+    EXPECT_EQ(errorsOf(imported), "");
+    const auto controller = scanned(imported);
+    ASSERT_TRUE(controller);
+    EXPECT_EQ(controller->read("MAIN.clock.BUSY")->integer(), 1);
+    ASSERT_TRUE(controller->scan());
+    EXPECT_EQ(controller->read("MAIN.clock.BUSY")->integer(), 0);
+    EXPECT_EQ(controller->read("MAIN.year")->integer(), 2000); // virtual time begins with the year
+    EXPECT_EQ(controller->read("MAIN.month")->integer(), 1);
+    EXPECT_EQ(controller->read("MAIN.ticks")->integer() / 10'000'000 - 11'644'473'600, 946'684'800);
+}
+
 TEST_F(OtherFormats, WhatALibraryOfDevicesWouldDoIsNamedWithTheLibrary) {
     write("lib/MAIN.TcPOU",
           object("<POU Name=\"MAIN\">" +

@@ -266,6 +266,52 @@ TEST_F(PlcopenImport, ConfigurationsTasksInstancesAndListsAreRead) {
     EXPECT_EQ(errorsOf(imported), "");
 }
 
+// Beremiz writes the text of a STRING without quotation marks; the name of a constant is one word.
+TEST_F(PlcopenImport, TextsWithoutQuotationMarksAreTexts) {
+    const auto initial = [](const std::string& value) {
+        return "<initialValue><simpleValue value=\"" + value + "\"/></initialValue>";
+    };
+    const Imported imported = import(document(pou("Main", "program",
+                                                  "<localVars>" + variable("a", "<string/>", initial("two words")) +
+                                                      variable("b", "<string/>", initial("'quoted words'")) +
+                                                      variable("c", "<string/>", initial("TITLE")) +
+                                                      variable("d", "<string/>", initial("12")) + "</localVars>",
+                                                  st(";"))));
+    const std::string text = fileOf(imported, "src/Main.st");
+    EXPECT_NE(text.find("a : STRING := 'two words';"), std::string::npos) << text;
+    EXPECT_NE(text.find("b : STRING := 'quoted words';"), std::string::npos) << text;
+    EXPECT_NE(text.find("c : STRING := TITLE;"), std::string::npos) << text;
+    EXPECT_NE(text.find("d : STRING := '12';"), std::string::npos) << text;
+}
+
+// CODESYS lists the program of its visualisation, which a library has.
+TEST_F(PlcopenImport, ProgramsOfLibrariesStayOutOfTasks) {
+    const std::string instances =
+        "<configurations><configuration name=\"Plc\"><resource name=\"App\"><task name=\"Fast\" interval=\"PT0.05S\" "
+        "priority=\"4\"><pouInstance name=\"Main\" typeName=\"\"/></task><task name=\"VISU_TASK\" "
+        "priority=\"31\"><pouInstance name=\"VisuElems.Visu_Prg\" typeName=\"\"/></task></resource></configuration>"
+        "</configurations>";
+    const Imported imported = import(document(pou("Main", "program", "", st(";")), "", instances));
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+    EXPECT_NE(imported.report.toText().find("VISU_TASK runs VisuElems.Visu_Prg"), std::string::npos)
+        << imported.report.toText();
+}
+
+// The bases of an interface are beside its methods, not in addData.
+TEST_F(PlcopenImport, InterfacesKeepTheirBases) {
+    const std::string interfaces =
+        "<addData><data name=\"http://www.3s-software.com/plcopenxml/interface\" handleUnknown=\"implementation\">"
+        "<Interface name=\"IStop\"><Methods><Method name=\"stop\"><interface/></Method></Methods></Interface></data>"
+        "<data name=\"http://www.3s-software.com/plcopenxml/interface\" handleUnknown=\"implementation\">"
+        "<Interface name=\"IDrive\"><Methods><Method name=\"go\"><interface/></Method></Methods><Inheritance><Extends>"
+        "IStop</Extends></Inheritance></Interface></data></addData>";
+    const Imported imported = import(document("", "", "<configurations/>", interfaces));
+    EXPECT_EQ(fileOf(imported, "src/IDrive.st").find("INTERFACE IDrive EXTENDS IStop\n"), 0u)
+        << fileOf(imported, "src/IDrive.st");
+    EXPECT_EQ(errorsOf(imported), "");
+}
+
 TEST_F(PlcopenImport, FoldersOfCodesysBecomeFolders) {
     const std::string structure =
         "<addData><data name=\"http://www.3s-software.com/plcopenxml/projectstructure\" "

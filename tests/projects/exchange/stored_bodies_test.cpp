@@ -85,6 +85,15 @@ std::string line(int from, int to) {
     return "<o t=\"CFCConnection\">" + number("SourcePinId", from) + number("DestPinId", to) + "</o>";
 }
 
+std::string structureElement(const char* type, int id, const std::string& in, const std::string& out,
+                             const std::vector<std::string>& texts) {
+    std::string all;
+    for (const std::string& each : texts) all += "<o>" + text("Text", each) + "</o>";
+    return std::string("<o t=\"") + type + "\">" + in + out +
+           "<o n=\"Texts\" t=\"CFCItemList\"><l2 n=\"InnerList\" cet=\"CFCText\">" + all + "</l2></o>" +
+           number("Id", id) + "</o>";
+}
+
 class StoredBodies : public ExchangeTest {
 protected:
     Imported importBody(const std::string& variables, const std::string& body, const std::string& members = {}) {
@@ -136,6 +145,86 @@ protected:
         return out;
     }
 };
+
+// A composer's inputs are the members of a structure, a selector's outputs read them.
+TEST_F(StoredBodies, ComposersAndSelectorsOfAFunctionChartWorkOnAStructure) {
+    const std::string onePin = "<o n=\"Output\" t=\"CFCOutputPin\">" + pin(23) + "</o>";
+    const std::string input30 = "<o n=\"Input\" t=\"CFCInputPin\">" + pin(31) + "</o>";
+    Imported imported =
+        importCfc("a : INT := 7; b : INT := 35; p : Pair; x : INT; y : BOOL := TRUE;\n",
+                  input(1, 11, "a") + input(2, 12, "b") +
+                      structureElement("CFCComposerElement", 20, pins("Inputs", "CFCInputPin", {21, 22}), onePin,
+                                       {"first", "second", "Pair"}) +
+                      output(3, 13, "p") +
+                      structureElement("CFCSelectorElement", 30, input30, pins("Outputs", "CFCOutputPin", {32, 33}),
+                                       {"Pair", "first", "second"}) +
+                      box(40, "Operator", {41, 42}, {43}, {"", "", "", "+"}) + output(4, 14, "x") +
+                      box(50, "Operator", {51, 52}, {53}, {"", "", "", "="}) + output(5, 15, "y") + line(11, 21) +
+                      line(12, 22) + line(23, 13) + line(23, 31) + line(32, 41) + line(33, 42) + line(32, 51) +
+                      line(33, 52) + line(43, 14) + line(53, 15));
+    imported.files.push_back({"src/Pair.st", "TYPE Pair :\nSTRUCT\n    first, second : INT;\nEND_STRUCT\nEND_TYPE\n"});
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_EQ(errorsOf(imported), "") << fileOf(imported, "src/MAIN.st");
+    EXPECT_EQ(valuesOf(imported, "MAIN.p.second", 1), std::vector<int64_t>{35});
+    EXPECT_EQ(valuesOf(imported, "MAIN.x", 1), std::vector<int64_t>{42});
+    EXPECT_EQ(valuesOf(imported, "MAIN.y", 1), std::vector<int64_t>{0}); // 7 is not 35
+}
+
+// The ladder of newer versions is JSON: contacts, parallel branches, boxes entered by EN, results that go on.
+TEST_F(StoredBodies, ALadderStoredAsJsonBecomesRungs) {
+    const auto contact = [](const char* name, const char* modifier = "") {
+        return std::string(R"({"$type":"Contact","Operand":{"$type":"Operand","Expression":")") + name + "\"" +
+               modifier + "}}";
+    };
+    const auto sequence = [](const std::string& elements) {
+        return R"({"$type":"Sequence","Elements":[)" + elements + "]}";
+    };
+    const auto coil = [](const char* name, const char* modifier = "") {
+        return std::string(R"({"$type":"Coil","Operand":{"$type":"Operand","Expression":")") + name + "\"" + modifier +
+               "}}";
+    };
+    const auto in = [&](const char* pin, const char* name) {
+        return std::string(R"({"$type":"Input","Pin":{"$type":"Pin")") +
+               (*pin ? std::string(R"(,"Name":")") + pin + "\"" : "") + R"(},"Sequence":)" +
+               (*name ? sequence(std::string(R"({"$type":"InVariable","Operand":{"Expression":")") + name + "\"}}")
+                      : R"({"$type":"Sequence"})") +
+               "}";
+    };
+    const std::string network1 = R"({"$type":"Network","Title":"starts","Sequence":)" +
+                                 sequence(R"({"$type":"ParallelOpen","Branches":[)" + sequence(contact("start")) + "," +
+                                          sequence(contact("motor")) + "]}," +
+                                          contact("stop", R"(,"Modifier":{"Negation":true})") + "," + coil("motor")) +
+                                 "}";
+    const std::string network2 =
+        R"({"$type":"Network","Sequence":)" +
+        sequence(R"({"$type":"Block","BlockType":"EQ","Instance":{"$type":"Operand"},"Inputs":[)" + in("EN", "") + "," +
+                 in("", "n") + "," + in("", "3") + R"(],"Outputs":[{"Pin":{"$type":"Pin"}}],"En":true},)" +
+                 coil("three", R"(,"Modifier":{"Storage":1})")) +
+        "}";
+    const std::string network3 =
+        R"({"$type":"Network","Sequence":)" +
+        sequence(contact("motor") + R"(,{"$type":"Block","BlockType":"ADD","Instance":{},"Inputs":[)" + in("EN", "") +
+                 "," + in("", "n") + "," + in("", "1") +
+                 R"(],"Outputs":[{"Pin":{"Name":"ENO"}},{"Pin":{},"OutVariable":{"Operand":{"Expression":"n"}}}],)" +
+                 R"("En":true,"Eno":true},{"$type":"Block","BlockType":"TON","Instance":{"Expression":"delay"},)" +
+                 R"("Inputs":[)" + in("IN", "") + "," + in("PT", "T#0s") + R"(],"Outputs":[{"Pin":{"Name":"Q"}}]},)" +
+                 coil("done")) +
+        "}";
+    const Imported imported = importBody(
+        "start : BOOL := TRUE; stop, motor, three, done : BOOL; n : INT; delay : TON;\n",
+        "<LADDER><XmlArchive><Data><o xml:space=\"preserve\" t=\"LadderImplementationObject\"><v n=\"ModelJson\">\"" +
+            (R"({"$type":"LadderDataModel","Networks":[)" + network1 + "," + network2 + "," + network3 + "]}") +
+            "\"</v></o></Data></XmlArchive></LADDER>");
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_EQ(errorsOf(imported), "") << fileOf(imported, "src/MAIN.st");
+    EXPECT_NE(
+        fileOf(imported, "src/MAIN.st").find("// starts\nmotor := (start OR motor) AND NOT stop;\nthree S= n = 3;\n"),
+        std::string::npos)
+        << fileOf(imported, "src/MAIN.st");
+    EXPECT_EQ(valuesOf(imported, "MAIN.n", 5), (std::vector<int64_t>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(valuesOf(imported, "MAIN.three", 5), (std::vector<int64_t>{0, 0, 0, 1, 1}));
+    EXPECT_EQ(valuesOf(imported, "MAIN.done", 2), (std::vector<int64_t>{1, 1}));
+}
 
 TEST_F(StoredBodies, AChartBecomesStepsAndTransitions) {
     const Imported imported =

@@ -69,16 +69,30 @@ void callProgram(Context& context, const Denoted& callee, const syntax::Expr& ca
                  statement);
 }
 
+/// `x;` and `a = b;`: TwinCAT and CODESYS read the value, a property's accessor included, and drop it.
+void valueAlone(Context& context, const syntax::Expr& e, SourceRange statement, std::vector<tree::Stmt*>& out) {
+    const size_t errors = context.sink.all().size();
+    const Operand value = settled(context, expression(context, e));
+    if (value.isUnknown()) return;
+    // The expression may have said what is odd about it already.
+    if (context.sink.all().size() == errors)
+        context.emit(e.range, findings::FunctionResultIgnored(context.textOf(e.range)));
+    if (value.expr->kind != tree::ExprKind::Call && value.expr->kind != tree::ExprKind::Sequence) return;
+    tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, statement);
+    evaluate->a = value.expr;
+    out.push_back(evaluate);
+}
+
 } // namespace
 
 /// A call as a statement: an instance, an action, a function for its effects.
 ///   ok:    t(IN := TRUE); SetUp(); SetUp;      wrong: x();  with x : INT (P2008)
-///   advice: SIN(r);  (P2033)
+///   advice: SIN(r);  (P2033)                   advice: x;  (P2033)
 void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     const syntax::Expr& e = *stmt.value;
-    // Without parentheses it is a call of an action or a program, as CODESYS 2.3 writes them. What else is meant is
-    // worth finding out: "Compute;" comes from other languages, "x;" from a statement that was not finished.
+    // Without parentheses it is a call of an action or a program, as CODESYS 2.3 writes them. "Compute;" of a function
+    // or a block comes from other languages and is an error, since nobody would see that it does nothing.
     if (e.kind != syntax::ExprKind::Call) {
         if (e.kind == syntax::ExprKind::Error) return;
         if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member ||
@@ -98,18 +112,16 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
             const bool callable =
                 denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard ||
                 (denoted.kind == Denoted::Kind::Place && context.isKind(denoted.place->type, TypeKind::Block));
-            auto& diagnostic = context.emit(e.range, callable ? findings::Expected(Verbatim("()"), Verbatim(";"))
-                                                              : findings::NotCallable(context.textOf(e.range)));
-            if (callable)
-                diagnostic.fixes.push_back({fixes::CallIt(), {{{e.range.file, e.range.end, e.range.end}, "()"}}});
+            if (callable) {
+                context.emit(e.range, findings::Expected(Verbatim("()"), Verbatim(";")))
+                    .fixes.push_back({fixes::CallIt(), {{{e.range.file, e.range.end, e.range.end}, "()"}}});
+                return;
+            }
+            if (denoted.kind != Denoted::Kind::Type) return valueAlone(context, e, stmt.range, out);
+            context.emit(e.range, findings::NotCallable(context.textOf(e.range)));
             return;
         }
-        const size_t errors = context.sink.all().size();
-        const Operand value = expression(context, e);
-        // The expression may have said why it is wrong; only a good one without effect gets this message.
-        if (!value.isUnknown() && context.sink.all().size() == errors)
-            context.emit(e.range, findings::NotCallable(context.textOf(e.range)));
-        return;
+        return valueAlone(context, e, stmt.range, out);
     }
     // The order of the cases is that of how specific they are: an instance, then the only instance of a program, then
     // code without one.

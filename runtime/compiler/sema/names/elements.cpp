@@ -331,19 +331,37 @@ Denoted denoteBit(Context& context, const syntax::Expr& e, Access access) {
     return out;
 }
 
-// status.cReady with a constant cReady : INT := 3, as CODESYS allows.
+namespace {
+
+/// 3 of X3, as PC WORX and MULTIPROG write %X3.
+std::optional<int64_t> bitOfLetter(std::string_view name) {
+    if (name.size() < 2 || name.size() > 3 || (name[0] != 'X' && name[0] != 'x')) return std::nullopt;
+    int64_t bit = 0;
+    for (const char c : name.substr(1)) {
+        if (c < '0' || c > '9') return std::nullopt;
+        bit = bit * 10 + (c - '0');
+    }
+    return bit;
+}
+
+} // namespace
+
+// status.cReady with a constant cReady : INT := 3, as CODESYS allows, and status.X3.
 std::optional<Denoted> namedBit(Context& context, const Denoted& from, tree::Place* base, const syntax::Name& name,
                                 SourceRange range) {
     if (!types::isInteger(context.types.family(base->type)) || base->bit >= 0) return std::nullopt;
     const Found constant = lookup(context.world, context.scope, context.key(name.text));
     const bool isConstant = (constant.member.variable && constant.member.variable->isConstant) ||
                             (constant.entity.variable && constant.entity.variable->isConstant);
-    if (!isConstant) return std::nullopt;
-    const Denoted number = found(context, constant, name, Access::Read, {});
-    if (number.kind != DK::Value || !number.value.isConstant() ||
-        !std::holds_alternative<int64_t>(number.value.expr->value.data))
-        return std::nullopt;
-    const int64_t bit = number.value.expr->value.integer();
+    std::optional<int64_t> written = bitOfLetter(name.text);
+    if (isConstant) {
+        const Denoted number = found(context, constant, name, Access::Read, {});
+        if (number.kind == DK::Value && number.value.isConstant() &&
+            std::holds_alternative<int64_t>(number.value.expr->value.data))
+            written = number.value.expr->value.integer();
+    }
+    if (!written) return std::nullopt;
+    const int64_t bit = *written;
     const int64_t last = int64_t(types::bitsOf(context.types.storageKind(base->type))) - 1;
     if (bit < 0 || bit > last) {
         context.emit(name.range, findings::NoSuchBit(context.nameOf(base->type), last));

@@ -195,6 +195,7 @@ Operand compareNumbers(Context& context, const Operation& o, Operand a, Operand 
 
 ///   ok:    s = 'a'; i < u  with INT and UINT
 ///   wrong: s = i  (P2007)   a = b  with arrays (P2040)      advice: l < u  with LINT and ULINT (P2031)
+///   warning: light = gear  with two enumerations (P2032)
 Operand compare(Context& context, BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
                 SourceRange operatorRange) {
     if (a.isUnknown() || b.isUnknown()) return unknown(context, range);
@@ -210,10 +211,10 @@ Operand compare(Context& context, BinaryOp op, std::string_view spelling, Operan
         b = characterCode(context, b);
     }
     if (const auto done = compareTimes(context, o, a, b)) return *done;
-    // Values of two enumerations have nothing to do with each other, whatever their numbers.
+    // Values of two enumerations have nothing to do with each other; TwinCAT and CODESYS compare their numbers.
     if (context.isKind(a.type(), TypeKind::Enum) && context.isKind(b.type(), TypeKind::Enum) &&
         !sameType(context.world, a.type(), b.type()))
-        return refuse(context, o, a, b);
+        context.emit(operatorRange, findings::IntegerToEnum(context.nameOf(b.type()), context.nameOf(a.type())));
     if (const auto done = compareCharacters(context, o, a, b)) return *done;
     return compareNumbers(context, o, a, b);
 }

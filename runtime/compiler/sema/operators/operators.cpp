@@ -5,6 +5,7 @@
 
 #include "runtime/compiler/sema/calls/special_calls.h"
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/names/places.h"
 #include "runtime/compiler/sema/types/conversions.h"
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/expressions.h"
@@ -124,8 +125,15 @@ Operand makeBinary(Context& context, BinaryOp op, TypeId operandType, Operand a,
     return {e, &context.types};
 }
 
+/// An operand; what a call or a property refers to is read, as a variable's is.
+static Operand readOperand(Context& context, const syntax::Expr& e, TypeId hint) {
+    const Operand operand = expression(context, e, hint);
+    if (operand.isUnknown() || !context.isKind(operand.type(), TypeKind::Reference)) return operand;
+    return load(context, referredBy(context, operand, e.range), e.range);
+}
+
 Operand unary(Context& context, const syntax::Expr& e, TypeId hint) {
-    Operand operand = expression(context, *e.base, hint);
+    Operand operand = readOperand(context, *e.base, hint);
     if (operand.isUnknown()) return unknown(context, e.range);
     // +x is x.
     if (e.op == TokenKind::Plus) {
@@ -183,9 +191,9 @@ Operand binary(Context& context, const syntax::Expr& e, TypeId hint) {
         compares || !hint.isValid() || !(isNumeric(context, hint) || isTimeFamily(context.types.family(hint)))
             ? TypeId()
             : hint;
-    Operand a = expression(context, *e.base, inner);
+    Operand a = readOperand(context, *e.base, inner);
     const bool adapts = compares && !a.isUnknown() && !a.isFlexible;
-    Operand b = expression(context, *e.right, adapts ? a.type() : inner);
+    Operand b = readOperand(context, *e.right, adapts ? a.type() : inner);
     if (a.isUnknown() || b.isUnknown()) return unknown(context, e.range);
     if (kind == TokenKind::Power) return exptCall(context, a, b, e.range, e.operatorRange, hint);
     if (!op) return unknown(context, e.range);
@@ -221,8 +229,11 @@ Operand logical(Context& context, const syntax::Expr& e, TypeId hint) {
     // 16#FF AND 16#0F for a BYTE: literals are read as bits of the type that is wanted.
     const bool wantsBits =
         hint.isValid() && (context.types.family(hint) == Family::Bool || types::isInteger(context.types.family(hint)));
-    Operand a = expression(context, *e.base, wantsBits ? hint : TypeId());
-    Operand b = expression(context, *e.right, !a.isUnknown() && !a.isFlexible ? a.type() : wantsBits ? hint : TypeId());
+    Operand a = readOperand(context, *e.base, wantsBits ? hint : TypeId());
+    Operand b = readOperand(context, *e.right,
+                            !a.isUnknown() && !a.isFlexible ? a.type()
+                            : wantsBits                     ? hint
+                                                            : TypeId());
     if (a.isUnknown() || b.isUnknown()) return unknown(context, e.range);
     return combine(context, *operatorOf(e.op), lex::spelling(e.op), a, b, e.range, e.operatorRange, hint);
 }

@@ -129,38 +129,40 @@ void assignTo(Context& context, const Denoted& target, Operand value, SourceRang
     out.push_back(made);
 }
 
-/// A REFERENCE TO gets its variable.
-void bindReference(Context& context, tree::Place* raw, const syntax::Expr& value, SourceRange range,
-                   std::vector<tree::Stmt*>& out) {
-    const TypeId type = raw->type;
+/// What a reference of that type is given with REF=.
+static Operand referenceTo(Context& context, TypeId type, const syntax::Expr& value) {
     const TypeId element = context.types[type].element;
     // Whoever has the address may read and write: it counts as both.
     const Denoted denoted = denote(context, value, Access::Address);
-    if (denoted.kind == Denoted::Kind::Nothing) return;
-    Operand source;
-    if (denoted.kind == Denoted::Kind::Place) {
-        // What fits: the same type, a block derived from it, or a pointer to it, whose address is taken over.
-        const TypeId given = denoted.place->type;
-        const bool fitsElement =
-            sameType(context.world, given, element) ||
-            (context.isKind(given, TypeKind::Block) && context.types.isDerivedFrom(given, element));
-        if (!fitsElement && (context.isKind(given, TypeKind::Pointer) &&
-                             sameType(context.world, context.types[given].element, element)))
-            source = sameBits(context, load(context, denoted.place, value.range), type);
-        else if (!fitsElement)
-            return mismatch(context, value.range, given, type);
-        // A reference to what a reference refers to is a copy of it. Following it first would fault where it refers to
-        // nothing.
-        else if (denoted.place->kind == tree::PlaceKind::Deref &&
-                 context.isKind(denoted.place->pointer->type, TypeKind::Reference)) // what it refers to, or nothing
-            source = sameBits(context, {denoted.place->pointer, &context.types}, type);
-        else
-            source = addressOf(context, denoted.place, type, value.range);
-    } else {
+    if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, value.range);
+    if (denoted.kind != Denoted::Kind::Place) {
         const Operand other = sema::value(context, denoted, value, type);
-        if (other.isUnknown()) return;
-        source = converted(context, other, type);
+        return other.isUnknown() ? other : converted(context, other, type);
     }
+    // What fits: the same type, a block or structure derived from it, or a pointer to it, whose address is taken over.
+    const TypeId given = denoted.place->type;
+    const bool isExtendable = context.isKind(given, TypeKind::Block) || context.isKind(given, TypeKind::Struct);
+    const bool fitsElement =
+        sameType(context.world, given, element) || (isExtendable && context.types.isDerivedFrom(given, element));
+    if (!fitsElement && context.isKind(given, TypeKind::Pointer) &&
+        sameType(context.world, context.types[given].element, element))
+        return sameBits(context, load(context, denoted.place, value.range), type);
+    if (!fitsElement) {
+        mismatch(context, value.range, given, type);
+        return unknown(context, value.range);
+    }
+    // A reference to what a reference refers to is a copy of it. Following it first would fault where it refers to
+    // nothing.
+    if (denoted.place->kind == tree::PlaceKind::Deref &&
+        context.isKind(denoted.place->pointer->type, TypeKind::Reference))
+        return sameBits(context, {denoted.place->pointer, &context.types}, type);
+    return addressOf(context, denoted.place, type, value.range);
+}
+
+/// A REFERENCE TO gets its variable.
+void bindReference(Context& context, tree::Place* raw, const syntax::Expr& value, SourceRange range,
+                   std::vector<tree::Stmt*>& out) {
+    const Operand source = referenceTo(context, raw->type, value);
     if (!source.isUnknown()) out.push_back(assignStmt(context, raw, source.expr, range));
 }
 
@@ -234,9 +236,16 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
 /// p REF= x
 static void referenceStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     const Denoted denoted = denote(context, *stmt.target, Access::Write);
-    if (denoted.kind == Denoted::Kind::Place)
-        assignReference(context, denoted, *stmt.value, stmt.range, out);
-    else if (denoted.kind != Denoted::Kind::Nothing)
+    if (denoted.kind == Denoted::Kind::Place) return assignReference(context, denoted, *stmt.value, stmt.range, out);
+    if (denoted.kind == Denoted::Kind::Property && denoted.property->set) { // SET takes the reference
+        const TypeId type = typeOf(context, denoted.property->set->variables.front());
+        if (context.isKind(type, TypeKind::Reference)) {
+            const Operand source = referenceTo(context, type, *stmt.value);
+            if (!source.isUnknown()) assignProperty(context, denoted, source, stmt.range, out);
+            return;
+        }
+    }
+    if (denoted.kind != Denoted::Kind::Nothing)
         context.emit(stmt.target->range, findings::NotAPointer(context.textOf(stmt.target->range)));
 }
 

@@ -6,6 +6,7 @@
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/names/names.h"
+#include "runtime/compiler/sema/names/places.h"
 #include "runtime/compiler/sema/operators/operators.h"
 #include "runtime/compiler/sema/program/analyze.h"
 #include "runtime/compiler/sema/statements/statements.h"
@@ -241,6 +242,8 @@ Operand aggregate(Context& context, const syntax::Expr& e, TypeId hint) {
 tree::Expr* condition(Context& context, const syntax::Expr& e) {
     Operand operand = expression(context, e, context.elementary(TypeKind::Bool));
     if (operand.isUnknown()) return operand.expr;
+    if (context.isKind(operand.type(), TypeKind::Reference)) // of a call or a property
+        operand = load(context, referredBy(context, operand, e.range), e.range);
     const TypeId boolean = context.elementary(TypeKind::Bool);
     if (context.types.storageKind(operand.type()) == TypeKind::Bool) return operand.expr;
     // WHILE 1 DO: accepted, 1 is TRUE.
