@@ -146,7 +146,7 @@ const std::vector<ActionSpec> kActions = {
     {"time.live", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back to Live"), "Ctrl+Alt+End", drawn(Icon::Live), [](MainWindow& w) { w.backToLive(); }},
     {"time.resume", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Resume from Here"), "", drawn(Icon::Resume), [](MainWindow& w) { say(w, w.control().resumeFromView()); }},
 
-    {"time.walk", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Walk Through the Scan"), "Ctrl+Alt+F8", drawn(Icon::Clock), [](MainWindow& w) { w.inside().walk(); }},
+    {"time.walk", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Walk Through the Scan"), "Ctrl+Alt+G", drawn(Icon::Clock), [](MainWindow& w) { w.inside().walk(); }},
     {"time.backIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back In"), "Ctrl+Shift+F8", drawn(Icon::StepBack), [](MainWindow& w) { w.stepBack(session::Step::In); }},
     {"time.backOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back Over"), "Ctrl+Shift+F10", none, [](MainWindow& w) { w.stepBack(session::Step::Over); }},
     {"time.backOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back Out"), "Ctrl+Alt+Shift+F10", none, [](MainWindow& w) { w.stepBack(session::Step::Out); }},
@@ -154,7 +154,7 @@ const std::vector<ActionSpec> kActions = {
     {"time.whyNot", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Why Not?"), "Ctrl+Alt+N", drawn(Icon::Lightbulb), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::WhyNot); }},
     {"time.who", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Who Set This?"), "Ctrl+Alt+Q", drawn(Icon::Write), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::Who); }},
 
-    {"time.whatIf", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "What If…"), "Ctrl+Alt+F5", drawn(Icon::Split), [](MainWindow& w) { w.whatIf(); }},
+    {"time.whatIf", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "What If…"), "Ctrl+Alt+H", drawn(Icon::Split), [](MainWindow& w) { w.whatIf(); }},
     {"time.coverage", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Coverage of the Recording"), "", drawn(Icon::Layers), [](MainWindow& w) { w.inside().coverRecording(); }},
     {"time.noCoverage", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Hide the Coverage"), "", none, [](MainWindow& w) { w.inside().hideCoverage(); }},
 

@@ -62,11 +62,11 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     plc::app::installTranslation(application, settings.language());
     auto window = std::make_unique<plc::app::MainWindow>();
     if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window->restoreGeometry(geometry);
+    const QSize size = settings.windowGeometry().isEmpty()
+                           ? QSize(1440, 900).boundedTo(window->screen()->availableSize() - QSize(24, 48))
+                           : window->size();
     window->show();
-    // All docks at once took more than a small screen has, while the window was made.
-    if (settings.windowGeometry().isEmpty())
-        plc::app::KeptSize::keep(*window,
-                                 QSize(1440, 900).boundedTo(window->screen()->availableSize() - QSize(24, 48)));
+    plc::app::KeptSize::keep(*window, size); // all docks at once took more while it was made
     if (!folder.isEmpty()) window->openProject(folder);
     if (!recording.isEmpty()) window->showRecording(recording);
     if (!settings.sawTour()) QTimer::singleShot(400, window.get(), &plc::app::MainWindow::startTour);

@@ -5,6 +5,7 @@
 #include "app/documents/project_state.h"
 #include "app/documents/unit_commands.h"
 #include "app/frame/dock_tabs.h"
+#include "app/frame/long_message.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
 #include "app/frame/status_line.h"
@@ -321,6 +322,7 @@ QAction* MainWindow::action(const QString& id) const {
 
 void MainWindow::makeStatusLine() {
     m_status = new StatusLine(*statusBar(), *m_control, *m_workspace, *m_problems);
+    new LongMessage(*statusBar(), *this);
     connect(m_status, &StatusLine::problemsRequested, this, [this] { showDock("problems"); });
     connect(m_status, &StatusLine::placeRequested, m_tabs, &EditorTabs::goTo);
     connect(m_status, &StatusLine::failed, this, [this] { showDock("callPath"); });
@@ -348,8 +350,8 @@ void MainWindow::step(session::Step how) {
 }
 
 void MainWindow::stepBack(session::Step how) {
-    if (m_inside->slowScan().isOpen()) return m_inside->slowScan().stepBack(how);
-    m_inside->walk();
+    if (!m_inside->slowScan().isOpen()) showDock("slowScan");
+    m_inside->slowScan().stepBack(how);
 }
 
 void MainWindow::connectInside() {
@@ -417,6 +419,7 @@ void MainWindow::updateRunActions() {
 }
 
 void MainWindow::say(const QString& text, bool isError) {
+    statusBar()->clearMessage(); // the same one a second time is said again
     statusBar()->showMessage(text, isError ? 10000 : 4000);
     m_log->addMessage(text, isError);
 }

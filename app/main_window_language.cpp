@@ -1,5 +1,7 @@
 // The window in another language: it is built anew around the project and the controller, which go on meanwhile.
 #include "app/main_window.h"
+
+#include "app/frame/kept_size.h"
 #include "app/pages/editor_tabs.h"
 #include "app/panels/design_findings.h"
 #include "app/panels/living.h"
@@ -75,11 +77,13 @@ std::unique_ptr<MainWindow> inOtherLanguage(std::unique_ptr<MainWindow> window, 
                                             const QString& tag) {
     const bool quits = QApplication::quitOnLastWindowClosed();
     QApplication::setQuitOnLastWindowClosed(false); // between the two there is none
+    const QSize size = window->size();
     Living living = window->release();
     window.reset();
     installTranslation(application, tag);
     window = std::make_unique<MainWindow>(std::move(living));
     window->show();
+    KeptSize::keep(*window, size); // all docks at once took more while it was made
     QApplication::setQuitOnLastWindowClosed(quits);
     return window;
 }

@@ -5503,6 +5503,18 @@
         <translation>{0} (scan {1})</translation>
     </message>
     <message>
+        <source>{0} µs</source>
+        <translation>{0} µs</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min {1} s</source>
+        <translation>{0} min {1} s</translation>
+    </message>
+    <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>
         <translation>{0}  {1} fra {2} til {3}, {4}</translation>
     </message>
@@ -7262,6 +7274,10 @@
         <translation>Tilføj en enhed</translation>
     </message>
     <message>
+        <source>This project has no devices yet. A device (Modbus, MQTT) brings values from outside into variables and takes values of variables out.</source>
+        <translation>Dette projekt har endnu ingen enheder. En enhed (Modbus, MQTT) henter værdier udefra ind i variabler og sender variablers værdier ud.</translation>
+    </message>
+    <message>
         <source>Modbus TCP device</source>
         <translation>Modbus TCP-enhed</translation>
     </message>
@@ -8943,7 +8959,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Kildetekst til %1 med værdierne fra %2</translation>
     </message>
     <message>
@@ -11257,11 +11273,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Forcer til %1</translation>
     </message>
     <message>
-        <source>Release force</source>
+        <source>Release Force</source>
         <translation>Ophæv forcering</translation>
     </message>
     <message>
-        <source>Show in trace</source>
+        <source>Show in Trace</source>
         <translation>Vis i trace</translation>
     </message>
     <message>
@@ -11269,7 +11285,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Remove all</source>
+        <source>Remove All</source>
         <translation>Fjern alle</translation>
     </message>
     <message>
@@ -11327,7 +11343,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Som listen</translation>
     </message>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Kildetekst til %1 med værdierne fra %2</translation>
     </message>
 </context>
@@ -11655,11 +11671,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Dupliker</translation>
     </message>
     <message>
-        <source>Duplicate as array…</source>
+        <source>Duplicate as Array…</source>
         <translation>Dupliker som array…</translation>
     </message>
     <message>
-        <source>Select all</source>
+        <source>Select All</source>
         <translation>Marker alt</translation>
     </message>
     <message>
@@ -11667,59 +11683,59 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Slet</translation>
     </message>
     <message>
-        <source>Align left</source>
+        <source>Align Left</source>
         <translation>Juster til venstre</translation>
     </message>
     <message>
-        <source>Align centres</source>
+        <source>Align Centres</source>
         <translation>Centrer vandret</translation>
     </message>
     <message>
-        <source>Align right</source>
+        <source>Align Right</source>
         <translation>Juster til højre</translation>
     </message>
     <message>
-        <source>Align top</source>
+        <source>Align Top</source>
         <translation>Juster foroven</translation>
     </message>
     <message>
-        <source>Align middles</source>
+        <source>Align Middles</source>
         <translation>Centrer lodret</translation>
     </message>
     <message>
-        <source>Align bottom</source>
+        <source>Align Bottom</source>
         <translation>Juster forneden</translation>
     </message>
     <message>
-        <source>Distribute horizontally</source>
+        <source>Distribute Horizontally</source>
         <translation>Ens afstande vandret</translation>
     </message>
     <message>
-        <source>Distribute vertically</source>
+        <source>Distribute Vertically</source>
         <translation>Ens afstande lodret</translation>
     </message>
     <message>
-        <source>Same width</source>
+        <source>Same Width</source>
         <translation>Samme bredde</translation>
     </message>
     <message>
-        <source>Same height</source>
+        <source>Same Height</source>
         <translation>Samme højde</translation>
     </message>
     <message>
-        <source>Bring to front</source>
+        <source>Bring to Front</source>
         <translation>Forrest</translation>
     </message>
     <message>
-        <source>Bring forward</source>
+        <source>Bring Forward</source>
         <translation>Et lag frem</translation>
     </message>
     <message>
-        <source>Send backward</source>
+        <source>Send Backward</source>
         <translation>Et lag tilbage</translation>
     </message>
     <message>
-        <source>Send to back</source>
+        <source>Send to Back</source>
         <translation>Bagest</translation>
     </message>
     <message>
@@ -11735,7 +11751,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Lås</translation>
     </message>
     <message>
-        <source>Show the grid</source>
+        <source>Show the Grid</source>
         <translation>Vis gitteret</translation>
     </message>
     <message>
@@ -11743,7 +11759,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Fastgør (Alt: ikke nu)</translation>
     </message>
     <message>
-        <source>Live preview</source>
+        <source>Live Preview</source>
         <translation>Liveforhåndsvisning</translation>
     </message>
     <message>
@@ -11751,7 +11767,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Zoom ind</translation>
     </message>
     <message>
-        <source>Zoom out</source>
+        <source>Zoom Out</source>
         <translation>Zoom ud</translation>
     </message>
     <message>
@@ -11759,7 +11775,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
-        <source>Zoom to fit</source>
+        <source>Zoom to Fit</source>
         <translation>Zoom til vinduet</translation>
     </message>
     <message>
@@ -11799,15 +11815,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Variabler</translation>
     </message>
     <message>
-        <source>Same size</source>
+        <source>Same Size</source>
         <translation>Samme størrelse</translation>
     </message>
     <message>
-        <source>Paste in place</source>
+        <source>Paste in Place</source>
         <translation>Sæt ind på samme sted</translation>
     </message>
     <message>
-        <source>Arrange over array…</source>
+        <source>Arrange Over Array…</source>
         <translation>Arranger over et array…</translation>
     </message>
     <message>
@@ -11839,15 +11855,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Problemer</translation>
     </message>
     <message>
-        <source>Lay out in a row</source>
+        <source>Lay Out in a Row</source>
         <translation>Anbring i en række</translation>
     </message>
     <message>
-        <source>Lay out in a column</source>
+        <source>Lay Out in a Column</source>
         <translation>Anbring i en kolonne</translation>
     </message>
     <message>
-        <source>Lay out in a grid</source>
+        <source>Lay Out in a Grid</source>
         <translation>Anbring i et gitter</translation>
     </message>
     <message>
@@ -12705,7 +12721,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Tilpas</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Kopier som billede</translation>
     </message>
     <message>
@@ -12980,7 +12996,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Traceopsætning</translation>
     </message>
     <message>
-        <source>Open configuration…</source>
+        <source>Open Configuration…</source>
         <translation>Åbn opsætning…</translation>
     </message>
     <message>
@@ -12996,15 +13012,15 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Gem traceopsætning</translation>
     </message>
     <message>
-        <source>Save configuration</source>
+        <source>Save Configuration</source>
         <translation>Gem opsætning</translation>
     </message>
     <message>
-        <source>Save configuration as…</source>
+        <source>Save Configuration As…</source>
         <translation>Gem opsætning som…</translation>
     </message>
     <message>
-        <source>Open recording…</source>
+        <source>Open Recording…</source>
         <translation>Åbn optagelse…</translation>
     </message>
     <message>
@@ -13012,11 +13028,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Åbn optagelse</translation>
     </message>
     <message>
-        <source>Back to the running PLC</source>
+        <source>Back to the Running PLC</source>
         <translation>Tilbage til livevisning</translation>
     </message>
     <message>
-        <source>Save recording…</source>
+        <source>Save Recording…</source>
         <translation>Gem optagelse…</translation>
     </message>
     <message>
@@ -13032,11 +13048,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Eksporter</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Kopier som billede</translation>
     </message>
     <message>
-        <source>Save samples in view as CSV…</source>
+        <source>Save Samples in View as CSV…</source>
         <translation>Gem viste målinger som CSV…</translation>
     </message>
     <message>
@@ -13095,11 +13111,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Egenskaber</translation>
     </message>
     <message>
-        <source>Remove channel</source>
+        <source>Remove Channel</source>
         <translation>Fjern kanal</translation>
     </message>
     <message>
-        <source>Add channel…</source>
+        <source>Add Channel…</source>
         <translation>Tilføj kanal…</translation>
     </message>
     <message>
@@ -13139,7 +13155,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>XY-diagram, spektrum, frekvensrespons, kørsler</translation>
     </message>
     <message>
-        <source>Add channel of another file…</source>
+        <source>Add Channel of Another File…</source>
         <translation>Tilføj kanal fra en anden fil…</translation>
     </message>
     <message>

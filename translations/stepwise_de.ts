@@ -5503,6 +5503,18 @@
         <translation>{0} (Zyklus {1})</translation>
     </message>
     <message>
+        <source>{0} µs</source>
+        <translation>{0} µs</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min {1} s</source>
+        <translation>{0} min {1} s</translation>
+    </message>
+    <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>
         <translation>{0}  {1} von {2} auf {3}, {4}</translation>
     </message>
@@ -7262,6 +7274,10 @@
         <translation>Gerät hinzufügen</translation>
     </message>
     <message>
+        <source>This project has no devices yet. A device (Modbus, MQTT) brings values from outside into variables and takes values of variables out.</source>
+        <translation>Dieses Projekt hat noch keine Geräte. Ein Gerät (Modbus, MQTT) bringt Werte von außen in Variablen und gibt Werte von Variablen nach außen.</translation>
+    </message>
+    <message>
         <source>Modbus TCP device</source>
         <translation>Modbus-TCP-Gerät</translation>
     </message>
@@ -8943,7 +8959,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Quelltext von %1 mit den Werten von %2</translation>
     </message>
     <message>
@@ -11257,11 +11273,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Auf %1 forcen</translation>
     </message>
     <message>
-        <source>Release force</source>
+        <source>Release Force</source>
         <translation>Forcen aufheben</translation>
     </message>
     <message>
-        <source>Show in trace</source>
+        <source>Show in Trace</source>
         <translation>Im Trace anzeigen</translation>
     </message>
     <message>
@@ -11269,7 +11285,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Remove all</source>
+        <source>Remove All</source>
         <translation>Alle entfernen</translation>
     </message>
     <message>
@@ -11327,7 +11343,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wie die Liste</translation>
     </message>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Quelltext von %1 mit den Werten von %2</translation>
     </message>
 </context>
@@ -11655,11 +11671,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Duplizieren</translation>
     </message>
     <message>
-        <source>Duplicate as array…</source>
+        <source>Duplicate as Array…</source>
         <translation>Als Array duplizieren…</translation>
     </message>
     <message>
-        <source>Select all</source>
+        <source>Select All</source>
         <translation>Alles auswählen</translation>
     </message>
     <message>
@@ -11667,59 +11683,59 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Align left</source>
+        <source>Align Left</source>
         <translation>Links ausrichten</translation>
     </message>
     <message>
-        <source>Align centres</source>
+        <source>Align Centres</source>
         <translation>Mitten waagrecht ausrichten</translation>
     </message>
     <message>
-        <source>Align right</source>
+        <source>Align Right</source>
         <translation>Rechts ausrichten</translation>
     </message>
     <message>
-        <source>Align top</source>
+        <source>Align Top</source>
         <translation>Oben ausrichten</translation>
     </message>
     <message>
-        <source>Align middles</source>
+        <source>Align Middles</source>
         <translation>Mitten senkrecht ausrichten</translation>
     </message>
     <message>
-        <source>Align bottom</source>
+        <source>Align Bottom</source>
         <translation>Unten ausrichten</translation>
     </message>
     <message>
-        <source>Distribute horizontally</source>
+        <source>Distribute Horizontally</source>
         <translation>Gleiche Abstände waagrecht</translation>
     </message>
     <message>
-        <source>Distribute vertically</source>
+        <source>Distribute Vertically</source>
         <translation>Gleiche Abstände senkrecht</translation>
     </message>
     <message>
-        <source>Same width</source>
+        <source>Same Width</source>
         <translation>Gleiche Breite</translation>
     </message>
     <message>
-        <source>Same height</source>
+        <source>Same Height</source>
         <translation>Gleiche Höhe</translation>
     </message>
     <message>
-        <source>Bring to front</source>
+        <source>Bring to Front</source>
         <translation>In den Vordergrund</translation>
     </message>
     <message>
-        <source>Bring forward</source>
+        <source>Bring Forward</source>
         <translation>Eine Ebene nach vorn</translation>
     </message>
     <message>
-        <source>Send backward</source>
+        <source>Send Backward</source>
         <translation>Eine Ebene nach hinten</translation>
     </message>
     <message>
-        <source>Send to back</source>
+        <source>Send to Back</source>
         <translation>In den Hintergrund</translation>
     </message>
     <message>
@@ -11735,7 +11751,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Sperren</translation>
     </message>
     <message>
-        <source>Show the grid</source>
+        <source>Show the Grid</source>
         <translation>Raster anzeigen</translation>
     </message>
     <message>
@@ -11743,7 +11759,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Einrasten (Alt: jetzt nicht)</translation>
     </message>
     <message>
-        <source>Live preview</source>
+        <source>Live Preview</source>
         <translation>Live-Vorschau</translation>
     </message>
     <message>
@@ -11751,7 +11767,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Vergrößern</translation>
     </message>
     <message>
-        <source>Zoom out</source>
+        <source>Zoom Out</source>
         <translation>Verkleinern</translation>
     </message>
     <message>
@@ -11759,7 +11775,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
-        <source>Zoom to fit</source>
+        <source>Zoom to Fit</source>
         <translation>Zoom anpassen</translation>
     </message>
     <message>
@@ -11799,15 +11815,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Variablen</translation>
     </message>
     <message>
-        <source>Same size</source>
+        <source>Same Size</source>
         <translation>Gleiche Größe</translation>
     </message>
     <message>
-        <source>Paste in place</source>
+        <source>Paste in Place</source>
         <translation>An derselben Stelle einfügen</translation>
     </message>
     <message>
-        <source>Arrange over array…</source>
+        <source>Arrange Over Array…</source>
         <translation>Über ein Array anordnen…</translation>
     </message>
     <message>
@@ -11839,15 +11855,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Probleme</translation>
     </message>
     <message>
-        <source>Lay out in a row</source>
+        <source>Lay Out in a Row</source>
         <translation>In einer Zeile anordnen</translation>
     </message>
     <message>
-        <source>Lay out in a column</source>
+        <source>Lay Out in a Column</source>
         <translation>In einer Spalte anordnen</translation>
     </message>
     <message>
-        <source>Lay out in a grid</source>
+        <source>Lay Out in a Grid</source>
         <translation>In einem Raster anordnen</translation>
     </message>
     <message>
@@ -12705,7 +12721,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Anpassen</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Als Bild kopieren</translation>
     </message>
     <message>
@@ -12980,7 +12996,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Trace-Konfiguration</translation>
     </message>
     <message>
-        <source>Open configuration…</source>
+        <source>Open Configuration…</source>
         <translation>Konfiguration öffnen…</translation>
     </message>
     <message>
@@ -12996,15 +13012,15 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Trace-Konfiguration speichern</translation>
     </message>
     <message>
-        <source>Save configuration</source>
+        <source>Save Configuration</source>
         <translation>Konfiguration speichern</translation>
     </message>
     <message>
-        <source>Save configuration as…</source>
+        <source>Save Configuration As…</source>
         <translation>Konfiguration speichern unter…</translation>
     </message>
     <message>
-        <source>Open recording…</source>
+        <source>Open Recording…</source>
         <translation>Aufzeichnung öffnen…</translation>
     </message>
     <message>
@@ -13012,11 +13028,11 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Back to the running PLC</source>
+        <source>Back to the Running PLC</source>
         <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
-        <source>Save recording…</source>
+        <source>Save Recording…</source>
         <translation>Aufzeichnung speichern…</translation>
     </message>
     <message>
@@ -13032,11 +13048,11 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Als Bild kopieren</translation>
     </message>
     <message>
-        <source>Save samples in view as CSV…</source>
+        <source>Save Samples in View as CSV…</source>
         <translation>Sichtbare Werte als CSV speichern…</translation>
     </message>
     <message>
@@ -13095,11 +13111,11 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Eigenschaften</translation>
     </message>
     <message>
-        <source>Remove channel</source>
+        <source>Remove Channel</source>
         <translation>Kanal entfernen</translation>
     </message>
     <message>
-        <source>Add channel…</source>
+        <source>Add Channel…</source>
         <translation>Kanal hinzufügen…</translation>
     </message>
     <message>
@@ -13139,7 +13155,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>XY-Diagramm, Spektrum, Frequenzgang, Läufe</translation>
     </message>
     <message>
-        <source>Add channel of another file…</source>
+        <source>Add Channel of Another File…</source>
         <translation>Kanal aus einer anderen Datei hinzufügen…</translation>
     </message>
     <message>

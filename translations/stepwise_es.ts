@@ -5503,6 +5503,18 @@
         <translation>{0} (ciclo {1})</translation>
     </message>
     <message>
+        <source>{0} µs</source>
+        <translation>{0} µs</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min {1} s</source>
+        <translation>{0} min {1} s</translation>
+    </message>
+    <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>
         <translation>{0}  {1} de {2} a {3}, {4}</translation>
     </message>
@@ -7262,6 +7274,10 @@
         <translation>Añadir un dispositivo</translation>
     </message>
     <message>
+        <source>This project has no devices yet. A device (Modbus, MQTT) brings values from outside into variables and takes values of variables out.</source>
+        <translation>Este proyecto aún no tiene dispositivos. Un dispositivo (Modbus, MQTT) trae valores del exterior a variables y lleva valores de variables al exterior.</translation>
+    </message>
+    <message>
         <source>Modbus TCP device</source>
         <translation>Dispositivo Modbus TCP</translation>
     </message>
@@ -8943,7 +8959,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Código fuente de %1 con los valores de %2</translation>
     </message>
     <message>
@@ -11257,11 +11273,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Forzar a %1</translation>
     </message>
     <message>
-        <source>Release force</source>
+        <source>Release Force</source>
         <translation>Anular el forzado</translation>
     </message>
     <message>
-        <source>Show in trace</source>
+        <source>Show in Trace</source>
         <translation>Mostrar en la traza</translation>
     </message>
     <message>
@@ -11269,7 +11285,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Remove all</source>
+        <source>Remove All</source>
         <translation>Quitar todos</translation>
     </message>
     <message>
@@ -11327,7 +11343,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Como la lista</translation>
     </message>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Código fuente de %1 con los valores de %2</translation>
     </message>
 </context>
@@ -11655,11 +11671,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Duplicar</translation>
     </message>
     <message>
-        <source>Duplicate as array…</source>
+        <source>Duplicate as Array…</source>
         <translation>Duplicar como array…</translation>
     </message>
     <message>
-        <source>Select all</source>
+        <source>Select All</source>
         <translation>Seleccionar todo</translation>
     </message>
     <message>
@@ -11667,59 +11683,59 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Eliminar</translation>
     </message>
     <message>
-        <source>Align left</source>
+        <source>Align Left</source>
         <translation>Alinear a la izquierda</translation>
     </message>
     <message>
-        <source>Align centres</source>
+        <source>Align Centres</source>
         <translation>Centrar horizontalmente</translation>
     </message>
     <message>
-        <source>Align right</source>
+        <source>Align Right</source>
         <translation>Alinear a la derecha</translation>
     </message>
     <message>
-        <source>Align top</source>
+        <source>Align Top</source>
         <translation>Alinear arriba</translation>
     </message>
     <message>
-        <source>Align middles</source>
+        <source>Align Middles</source>
         <translation>Centrar verticalmente</translation>
     </message>
     <message>
-        <source>Align bottom</source>
+        <source>Align Bottom</source>
         <translation>Alinear abajo</translation>
     </message>
     <message>
-        <source>Distribute horizontally</source>
+        <source>Distribute Horizontally</source>
         <translation>Distribuir horizontalmente</translation>
     </message>
     <message>
-        <source>Distribute vertically</source>
+        <source>Distribute Vertically</source>
         <translation>Distribuir verticalmente</translation>
     </message>
     <message>
-        <source>Same width</source>
+        <source>Same Width</source>
         <translation>Misma anchura</translation>
     </message>
     <message>
-        <source>Same height</source>
+        <source>Same Height</source>
         <translation>Misma altura</translation>
     </message>
     <message>
-        <source>Bring to front</source>
+        <source>Bring to Front</source>
         <translation>Traer al frente</translation>
     </message>
     <message>
-        <source>Bring forward</source>
+        <source>Bring Forward</source>
         <translation>Traer adelante</translation>
     </message>
     <message>
-        <source>Send backward</source>
+        <source>Send Backward</source>
         <translation>Enviar atrás</translation>
     </message>
     <message>
-        <source>Send to back</source>
+        <source>Send to Back</source>
         <translation>Enviar al fondo</translation>
     </message>
     <message>
@@ -11735,7 +11751,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Bloquear</translation>
     </message>
     <message>
-        <source>Show the grid</source>
+        <source>Show the Grid</source>
         <translation>Mostrar la cuadrícula</translation>
     </message>
     <message>
@@ -11743,7 +11759,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Ajustar a la cuadrícula (Alt: ahora no)</translation>
     </message>
     <message>
-        <source>Live preview</source>
+        <source>Live Preview</source>
         <translation>Vista previa en vivo</translation>
     </message>
     <message>
@@ -11751,7 +11767,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Acercar</translation>
     </message>
     <message>
-        <source>Zoom out</source>
+        <source>Zoom Out</source>
         <translation>Alejar</translation>
     </message>
     <message>
@@ -11759,7 +11775,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
-        <source>Zoom to fit</source>
+        <source>Zoom to Fit</source>
         <translation>Ajustar a la ventana</translation>
     </message>
     <message>
@@ -11799,15 +11815,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Variables</translation>
     </message>
     <message>
-        <source>Same size</source>
+        <source>Same Size</source>
         <translation>Mismo tamaño</translation>
     </message>
     <message>
-        <source>Paste in place</source>
+        <source>Paste in Place</source>
         <translation>Pegar en el mismo lugar</translation>
     </message>
     <message>
-        <source>Arrange over array…</source>
+        <source>Arrange Over Array…</source>
         <translation>Disponer según un array…</translation>
     </message>
     <message>
@@ -11839,15 +11855,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Problemas</translation>
     </message>
     <message>
-        <source>Lay out in a row</source>
+        <source>Lay Out in a Row</source>
         <translation>Disponer en fila</translation>
     </message>
     <message>
-        <source>Lay out in a column</source>
+        <source>Lay Out in a Column</source>
         <translation>Disponer en columna</translation>
     </message>
     <message>
-        <source>Lay out in a grid</source>
+        <source>Lay Out in a Grid</source>
         <translation>Disponer en cuadrícula</translation>
     </message>
     <message>
@@ -12705,7 +12721,7 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Ajustar</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Copiar como imagen</translation>
     </message>
     <message>
@@ -12980,7 +12996,7 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Configuración de traza</translation>
     </message>
     <message>
-        <source>Open configuration…</source>
+        <source>Open Configuration…</source>
         <translation>Abrir configuración…</translation>
     </message>
     <message>
@@ -12996,15 +13012,15 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Guardar configuración de traza</translation>
     </message>
     <message>
-        <source>Save configuration</source>
+        <source>Save Configuration</source>
         <translation>Guardar configuración</translation>
     </message>
     <message>
-        <source>Save configuration as…</source>
+        <source>Save Configuration As…</source>
         <translation>Guardar configuración como…</translation>
     </message>
     <message>
-        <source>Open recording…</source>
+        <source>Open Recording…</source>
         <translation>Abrir grabación…</translation>
     </message>
     <message>
@@ -13012,11 +13028,11 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Abrir grabación</translation>
     </message>
     <message>
-        <source>Back to the running PLC</source>
+        <source>Back to the Running PLC</source>
         <translation>Volver al directo del PLC</translation>
     </message>
     <message>
-        <source>Save recording…</source>
+        <source>Save Recording…</source>
         <translation>Guardar grabación…</translation>
     </message>
     <message>
@@ -13032,11 +13048,11 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Copiar como imagen</translation>
     </message>
     <message>
-        <source>Save samples in view as CSV…</source>
+        <source>Save Samples in View as CSV…</source>
         <translation>Guardar los valores visibles como CSV…</translation>
     </message>
     <message>
@@ -13095,11 +13111,11 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Propiedades</translation>
     </message>
     <message>
-        <source>Remove channel</source>
+        <source>Remove Channel</source>
         <translation>Quitar el canal</translation>
     </message>
     <message>
-        <source>Add channel…</source>
+        <source>Add Channel…</source>
         <translation>Añadir canal…</translation>
     </message>
     <message>
@@ -13139,7 +13155,7 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Gráfico XY, espectro, respuesta en frecuencia, ejecuciones</translation>
     </message>
     <message>
-        <source>Add channel of another file…</source>
+        <source>Add Channel of Another File…</source>
         <translation>Añadir canal de otro archivo…</translation>
     </message>
     <message>

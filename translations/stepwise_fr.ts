@@ -5503,6 +5503,18 @@
         <translation>{0} (cycle {1})</translation>
     </message>
     <message>
+        <source>{0} µs</source>
+        <translation>{0} µs</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min {1} s</source>
+        <translation>{0} min {1} s</translation>
+    </message>
+    <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>
         <translation>{0}  {1} de {2} à {3}, {4}</translation>
     </message>
@@ -7262,6 +7274,10 @@
         <translation>Ajouter un appareil</translation>
     </message>
     <message>
+        <source>This project has no devices yet. A device (Modbus, MQTT) brings values from outside into variables and takes values of variables out.</source>
+        <translation>Ce projet n’a pas encore d’appareil. Un appareil (Modbus, MQTT) apporte des valeurs extérieures dans des variables et transmet des valeurs de variables vers l’extérieur.</translation>
+    </message>
+    <message>
         <source>Modbus TCP device</source>
         <translation>Appareil Modbus TCP</translation>
     </message>
@@ -8943,7 +8959,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Source de %1 avec les valeurs de %2</translation>
     </message>
     <message>
@@ -11257,11 +11273,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Forcer à %1</translation>
     </message>
     <message>
-        <source>Release force</source>
+        <source>Release Force</source>
         <translation>Lever le forçage</translation>
     </message>
     <message>
-        <source>Show in trace</source>
+        <source>Show in Trace</source>
         <translation>Afficher dans la trace</translation>
     </message>
     <message>
@@ -11269,7 +11285,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>Remove all</source>
+        <source>Remove All</source>
         <translation>Tout supprimer</translation>
     </message>
     <message>
@@ -11327,7 +11343,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Comme la liste</translation>
     </message>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>Source de %1 avec les valeurs de %2</translation>
     </message>
 </context>
@@ -11655,11 +11671,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Dupliquer</translation>
     </message>
     <message>
-        <source>Duplicate as array…</source>
+        <source>Duplicate as Array…</source>
         <translation>Dupliquer en tableau…</translation>
     </message>
     <message>
-        <source>Select all</source>
+        <source>Select All</source>
         <translation>Tout sélectionner</translation>
     </message>
     <message>
@@ -11667,59 +11683,59 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>Align left</source>
+        <source>Align Left</source>
         <translation>Aligner à gauche</translation>
     </message>
     <message>
-        <source>Align centres</source>
+        <source>Align Centres</source>
         <translation>Centrer horizontalement</translation>
     </message>
     <message>
-        <source>Align right</source>
+        <source>Align Right</source>
         <translation>Aligner à droite</translation>
     </message>
     <message>
-        <source>Align top</source>
+        <source>Align Top</source>
         <translation>Aligner en haut</translation>
     </message>
     <message>
-        <source>Align middles</source>
+        <source>Align Middles</source>
         <translation>Centrer verticalement</translation>
     </message>
     <message>
-        <source>Align bottom</source>
+        <source>Align Bottom</source>
         <translation>Aligner en bas</translation>
     </message>
     <message>
-        <source>Distribute horizontally</source>
+        <source>Distribute Horizontally</source>
         <translation>Répartir horizontalement</translation>
     </message>
     <message>
-        <source>Distribute vertically</source>
+        <source>Distribute Vertically</source>
         <translation>Répartir verticalement</translation>
     </message>
     <message>
-        <source>Same width</source>
+        <source>Same Width</source>
         <translation>Même largeur</translation>
     </message>
     <message>
-        <source>Same height</source>
+        <source>Same Height</source>
         <translation>Même hauteur</translation>
     </message>
     <message>
-        <source>Bring to front</source>
+        <source>Bring to Front</source>
         <translation>Mettre au premier plan</translation>
     </message>
     <message>
-        <source>Bring forward</source>
+        <source>Bring Forward</source>
         <translation>Avancer</translation>
     </message>
     <message>
-        <source>Send backward</source>
+        <source>Send Backward</source>
         <translation>Reculer</translation>
     </message>
     <message>
-        <source>Send to back</source>
+        <source>Send to Back</source>
         <translation>Mettre à l’arrière-plan</translation>
     </message>
     <message>
@@ -11735,7 +11751,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Verrouiller</translation>
     </message>
     <message>
-        <source>Show the grid</source>
+        <source>Show the Grid</source>
         <translation>Afficher la grille</translation>
     </message>
     <message>
@@ -11743,7 +11759,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Aimanter (Alt&#xa0;: pas maintenant)</translation>
     </message>
     <message>
-        <source>Live preview</source>
+        <source>Live Preview</source>
         <translation>Aperçu en direct</translation>
     </message>
     <message>
@@ -11751,7 +11767,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Zoom avant</translation>
     </message>
     <message>
-        <source>Zoom out</source>
+        <source>Zoom Out</source>
         <translation>Zoom arrière</translation>
     </message>
     <message>
@@ -11759,7 +11775,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
-        <source>Zoom to fit</source>
+        <source>Zoom to Fit</source>
         <translation>Ajuster à la fenêtre</translation>
     </message>
     <message>
@@ -11799,15 +11815,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Variables</translation>
     </message>
     <message>
-        <source>Same size</source>
+        <source>Same Size</source>
         <translation>Même taille</translation>
     </message>
     <message>
-        <source>Paste in place</source>
+        <source>Paste in Place</source>
         <translation>Coller au même endroit</translation>
     </message>
     <message>
-        <source>Arrange over array…</source>
+        <source>Arrange Over Array…</source>
         <translation>Disposer selon un tableau…</translation>
     </message>
     <message>
@@ -11839,15 +11855,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Problèmes</translation>
     </message>
     <message>
-        <source>Lay out in a row</source>
+        <source>Lay Out in a Row</source>
         <translation>Disposer en ligne</translation>
     </message>
     <message>
-        <source>Lay out in a column</source>
+        <source>Lay Out in a Column</source>
         <translation>Disposer en colonne</translation>
     </message>
     <message>
-        <source>Lay out in a grid</source>
+        <source>Lay Out in a Grid</source>
         <translation>Disposer en grille</translation>
     </message>
     <message>
@@ -12705,7 +12721,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Ajuster</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Copier comme image</translation>
     </message>
     <message>
@@ -12980,7 +12996,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Configuration de trace</translation>
     </message>
     <message>
-        <source>Open configuration…</source>
+        <source>Open Configuration…</source>
         <translation>Ouvrir une configuration…</translation>
     </message>
     <message>
@@ -12996,15 +13012,15 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Enregistrer la configuration de trace</translation>
     </message>
     <message>
-        <source>Save configuration</source>
+        <source>Save Configuration</source>
         <translation>Enregistrer la configuration</translation>
     </message>
     <message>
-        <source>Save configuration as…</source>
+        <source>Save Configuration As…</source>
         <translation>Enregistrer la configuration sous…</translation>
     </message>
     <message>
-        <source>Open recording…</source>
+        <source>Open Recording…</source>
         <translation>Ouvrir un enregistrement…</translation>
     </message>
     <message>
@@ -13012,11 +13028,11 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Ouvrir un enregistrement</translation>
     </message>
     <message>
-        <source>Back to the running PLC</source>
+        <source>Back to the Running PLC</source>
         <translation>Retour au direct de l’automate</translation>
     </message>
     <message>
-        <source>Save recording…</source>
+        <source>Save Recording…</source>
         <translation>Sauvegarder l’enregistrement…</translation>
     </message>
     <message>
@@ -13032,11 +13048,11 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>Copier comme image</translation>
     </message>
     <message>
-        <source>Save samples in view as CSV…</source>
+        <source>Save Samples in View as CSV…</source>
         <translation>Enregistrer les valeurs visibles en CSV…</translation>
     </message>
     <message>
@@ -13095,11 +13111,11 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Propriétés</translation>
     </message>
     <message>
-        <source>Remove channel</source>
+        <source>Remove Channel</source>
         <translation>Supprimer la voie</translation>
     </message>
     <message>
-        <source>Add channel…</source>
+        <source>Add Channel…</source>
         <translation>Ajouter une voie…</translation>
     </message>
     <message>
@@ -13139,7 +13155,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Tracé XY, spectre, réponse en fréquence, exécutions</translation>
     </message>
     <message>
-        <source>Add channel of another file…</source>
+        <source>Add Channel of Another File…</source>
         <translation>Ajouter une voie d’un autre fichier…</translation>
     </message>
     <message>

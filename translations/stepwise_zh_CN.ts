@@ -5502,6 +5502,18 @@
         <translation>{0}（扫描周期 {1}）</translation>
     </message>
     <message>
+        <source>{0} µs</source>
+        <translation>{0} µs</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min {1} s</source>
+        <translation>{0} min {1} s</translation>
+    </message>
+    <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>
         <translation>{0}  {1} 从 {2} 变为 {3}，{4}</translation>
     </message>
@@ -7260,6 +7272,10 @@
         <translation>添加设备</translation>
     </message>
     <message>
+        <source>This project has no devices yet. A device (Modbus, MQTT) brings values from outside into variables and takes values of variables out.</source>
+        <translation>此项目尚无设备。设备（Modbus、MQTT）将外部的值读入变量，并将变量的值输出到外部。</translation>
+    </message>
+    <message>
         <source>Modbus TCP device</source>
         <translation>Modbus TCP 设备</translation>
     </message>
@@ -8937,7 +8953,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>%1 的源代码，带 %2 的值</translation>
     </message>
     <message>
@@ -11241,11 +11257,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>强制为 %1</translation>
     </message>
     <message>
-        <source>Release force</source>
+        <source>Release Force</source>
         <translation>解除强制</translation>
     </message>
     <message>
-        <source>Show in trace</source>
+        <source>Show in Trace</source>
         <translation>在跟踪中显示</translation>
     </message>
     <message>
@@ -11253,7 +11269,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>移除</translation>
     </message>
     <message>
-        <source>Remove all</source>
+        <source>Remove All</source>
         <translation>全部移除</translation>
     </message>
     <message>
@@ -11311,7 +11327,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>与列表相同</translation>
     </message>
     <message>
-        <source>Source of %1 with the values of %2</source>
+        <source>Source of %1 with the Values of %2</source>
         <translation>%1 的源代码，带 %2 的值</translation>
     </message>
 </context>
@@ -11639,11 +11655,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>复制一份</translation>
     </message>
     <message>
-        <source>Duplicate as array…</source>
+        <source>Duplicate as Array…</source>
         <translation>复制为数组…</translation>
     </message>
     <message>
-        <source>Select all</source>
+        <source>Select All</source>
         <translation>全选</translation>
     </message>
     <message>
@@ -11651,59 +11667,59 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>删除</translation>
     </message>
     <message>
-        <source>Align left</source>
+        <source>Align Left</source>
         <translation>左对齐</translation>
     </message>
     <message>
-        <source>Align centres</source>
+        <source>Align Centres</source>
         <translation>水平居中对齐</translation>
     </message>
     <message>
-        <source>Align right</source>
+        <source>Align Right</source>
         <translation>右对齐</translation>
     </message>
     <message>
-        <source>Align top</source>
+        <source>Align Top</source>
         <translation>顶端对齐</translation>
     </message>
     <message>
-        <source>Align middles</source>
+        <source>Align Middles</source>
         <translation>垂直居中对齐</translation>
     </message>
     <message>
-        <source>Align bottom</source>
+        <source>Align Bottom</source>
         <translation>底端对齐</translation>
     </message>
     <message>
-        <source>Distribute horizontally</source>
+        <source>Distribute Horizontally</source>
         <translation>水平均匀分布</translation>
     </message>
     <message>
-        <source>Distribute vertically</source>
+        <source>Distribute Vertically</source>
         <translation>垂直均匀分布</translation>
     </message>
     <message>
-        <source>Same width</source>
+        <source>Same Width</source>
         <translation>等宽</translation>
     </message>
     <message>
-        <source>Same height</source>
+        <source>Same Height</source>
         <translation>等高</translation>
     </message>
     <message>
-        <source>Bring to front</source>
+        <source>Bring to Front</source>
         <translation>置于顶层</translation>
     </message>
     <message>
-        <source>Bring forward</source>
+        <source>Bring Forward</source>
         <translation>上移一层</translation>
     </message>
     <message>
-        <source>Send backward</source>
+        <source>Send Backward</source>
         <translation>下移一层</translation>
     </message>
     <message>
-        <source>Send to back</source>
+        <source>Send to Back</source>
         <translation>置于底层</translation>
     </message>
     <message>
@@ -11719,7 +11735,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>锁定</translation>
     </message>
     <message>
-        <source>Show the grid</source>
+        <source>Show the Grid</source>
         <translation>显示网格</translation>
     </message>
     <message>
@@ -11727,7 +11743,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>吸附（按住 Alt 暂不吸附）</translation>
     </message>
     <message>
-        <source>Live preview</source>
+        <source>Live Preview</source>
         <translation>实时预览</translation>
     </message>
     <message>
@@ -11735,7 +11751,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>放大</translation>
     </message>
     <message>
-        <source>Zoom out</source>
+        <source>Zoom Out</source>
         <translation>缩小</translation>
     </message>
     <message>
@@ -11743,7 +11759,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>缩放 100 %</translation>
     </message>
     <message>
-        <source>Zoom to fit</source>
+        <source>Zoom to Fit</source>
         <translation>缩放以适应</translation>
     </message>
     <message>
@@ -11783,15 +11799,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>变量</translation>
     </message>
     <message>
-        <source>Same size</source>
+        <source>Same Size</source>
         <translation>等大小</translation>
     </message>
     <message>
-        <source>Paste in place</source>
+        <source>Paste in Place</source>
         <translation>原位粘贴</translation>
     </message>
     <message>
-        <source>Arrange over array…</source>
+        <source>Arrange Over Array…</source>
         <translation>按数组排列…</translation>
     </message>
     <message>
@@ -11823,15 +11839,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>问题</translation>
     </message>
     <message>
-        <source>Lay out in a row</source>
+        <source>Lay Out in a Row</source>
         <translation>按行布局</translation>
     </message>
     <message>
-        <source>Lay out in a column</source>
+        <source>Lay Out in a Column</source>
         <translation>按列布局</translation>
     </message>
     <message>
-        <source>Lay out in a grid</source>
+        <source>Lay Out in a Grid</source>
         <translation>按网格布局</translation>
     </message>
     <message>
@@ -12684,7 +12700,7 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>适应</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>复制为图片</translation>
     </message>
     <message>
@@ -12959,7 +12975,7 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>跟踪配置</translation>
     </message>
     <message>
-        <source>Open configuration…</source>
+        <source>Open Configuration…</source>
         <translation>打开配置…</translation>
     </message>
     <message>
@@ -12975,15 +12991,15 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>保存跟踪配置</translation>
     </message>
     <message>
-        <source>Save configuration</source>
+        <source>Save Configuration</source>
         <translation>保存配置</translation>
     </message>
     <message>
-        <source>Save configuration as…</source>
+        <source>Save Configuration As…</source>
         <translation>配置另存为…</translation>
     </message>
     <message>
-        <source>Open recording…</source>
+        <source>Open Recording…</source>
         <translation>打开记录…</translation>
     </message>
     <message>
@@ -12991,11 +13007,11 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>打开记录</translation>
     </message>
     <message>
-        <source>Back to the running PLC</source>
+        <source>Back to the Running PLC</source>
         <translation>返回实时 PLC</translation>
     </message>
     <message>
-        <source>Save recording…</source>
+        <source>Save Recording…</source>
         <translation>保存记录…</translation>
     </message>
     <message>
@@ -13011,11 +13027,11 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>导出</translation>
     </message>
     <message>
-        <source>Copy as picture</source>
+        <source>Copy as Picture</source>
         <translation>复制为图片</translation>
     </message>
     <message>
-        <source>Save samples in view as CSV…</source>
+        <source>Save Samples in View as CSV…</source>
         <translation>将可见采样保存为 CSV…</translation>
     </message>
     <message>
@@ -13073,11 +13089,11 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>属性</translation>
     </message>
     <message>
-        <source>Remove channel</source>
+        <source>Remove Channel</source>
         <translation>移除通道</translation>
     </message>
     <message>
-        <source>Add channel…</source>
+        <source>Add Channel…</source>
         <translation>添加通道…</translation>
     </message>
     <message>
@@ -13117,7 +13133,7 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>XY 图、频谱、频率响应、各次运行</translation>
     </message>
     <message>
-        <source>Add channel of another file…</source>
+        <source>Add Channel of Another File…</source>
         <translation>添加其他文件的通道…</translation>
     </message>
     <message>

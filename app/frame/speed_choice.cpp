@@ -2,10 +2,12 @@
 
 #include "app/frame/status_line.h"
 
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QInputDialog>
 
 #include <algorithm>
+#include <optional>
 
 namespace plc::app {
 
@@ -14,6 +16,20 @@ namespace {
 struct SpeedWords {
     Q_DECLARE_TR_FUNCTIONS(plc::app::MainWindow)
 };
+
+/// What was chosen or typed; nullopt: cancelled.
+std::optional<QString> askSpeed(QWidget* parent, const QStringList& choices, int present) {
+    QInputDialog dialog(parent);
+    dialog.setWindowTitle(SpeedWords::tr("Speed"));
+    dialog.setLabelText(SpeedWords::tr("Speed of the controller; any factor can be entered:"));
+    dialog.setComboBoxItems(choices);
+    dialog.setComboBoxEditable(true);
+    dialog.setTextValue(choices[present]);
+    // A completion would take the first Enter for itself.
+    if (auto* box = dialog.findChild<QComboBox*>()) box->setCompleter(nullptr);
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return dialog.textValue().trimmed();
+}
 } // namespace
 
 SpeedChoice chooseSpeed(QWidget* parent, session::RunMode now) {
@@ -30,12 +46,9 @@ SpeedChoice chooseSpeed(QWidget* parent, session::RunMode now) {
         return each.pace == now.pace && (each.pace != session::Pace::Factor || each.factor == now.factor);
     });
     if (present == modes.end()) choices << StatusLine::speedText(now);
-    bool ok = false;
-    const QString chosen = QInputDialog::getItem(parent, SpeedWords::tr("Speed"),
-                                                 SpeedWords::tr("Speed of the controller; any factor can be entered:"),
-                                                 choices, static_cast<int>(present - modes.begin()), true, &ok)
-                               .trimmed();
-    if (!ok) return {};
+    const std::optional<QString> answer = askSpeed(parent, choices, static_cast<int>(present - modes.begin()));
+    if (!answer) return {};
+    const QString& chosen = *answer;
     if (const auto index = choices.indexOf(chosen); index >= 0 && index < static_cast<int>(modes.size()))
         return {modes[static_cast<size_t>(index)], {}};
     const QString number = QString(chosen).remove(QChar(0xD7)).remove('x').replace(',', '.').trimmed();

@@ -31,6 +31,14 @@ Json result(Json content, bool isError) { return {{"content", std::move(content)
 
 Json failed(const Message& message) { return result(Json::array({textContent(message.english())}), true); }
 
+/// What a command says about its pictures, without the folder that exists only while it runs.
+std::string withoutFolder(std::string text, const QString& folder) {
+    const std::string prefix = folder.toStdString() + "/";
+    for (size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+        text.erase(at, prefix.size());
+    return text;
+}
+
 /// The pictures in a folder, by name.
 Json pictures(const QString& folder) {
     constexpr int kMost = 20;
@@ -130,8 +138,8 @@ Json Server::run(const Tool& tool, const Json& arguments) const {
     Json content = Json::array();
     if (done.isTimedOut)
         content.push_back(textContent(errors::TookTooLong(m_settings.limits.time.count() / 1000).english()));
-    if (!done.out.empty()) content.push_back(textContent(done.out));
-    if (!done.err.empty() && done.exitCode != 0) content.push_back(textContent(done.err));
+    if (!done.out.empty()) content.push_back(textContent(withoutFolder(done.out, folder.path())));
+    if (!done.err.empty() && done.exitCode != 0) content.push_back(textContent(withoutFolder(done.err, folder.path())));
     if (done.isCut) content.push_back(textContent(errors::OutputCut(m_settings.limits.output).english()));
     if (tool.picture != Picture::None)
         for (Json& each : pictures(folder.path())) content.push_back(std::move(each));

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QPushButton>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QToolBar>
@@ -115,6 +116,7 @@ DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& work
     m_fields->verticalHeader()->hide();
     m_fields->setItemDelegate(newFieldDelegate(m_fields));
     m_fields->setEditTriggers(QAbstractItemView::AllEditTriggers);
+    m_begin = newBeginning();
     auto* splitter = new QSplitter(this);
     splitter->addWidget(m_tree);
     splitter->addWidget(m_fields);
@@ -133,6 +135,29 @@ DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& work
     connect(&m_refresh, &QTimer::timeout, this, &DevicesView::showStatus);
     m_refresh.start(300);
     reload();
+}
+
+/// A dock without devices says what they are and offers one.
+QWidget* DevicesView::newBeginning() {
+    auto* begin = new QWidget(m_tree->viewport());
+    begin->setObjectName("devicesBegin");
+    auto* text =
+        new QLabel(tr("This project has no devices yet. A device (Modbus, MQTT) brings values from outside into "
+                      "variables and takes values of variables out."));
+    text->setWordWrap(true);
+    text->setAlignment(Qt::AlignCenter);
+    auto* add = new QPushButton(kit::icon(kit::Icon::Add), tr("Add a device"));
+    add->setMenu(findChild<QMenu*>("devicesAdd"));
+    auto* column = new QVBoxLayout(begin);
+    column->addStretch();
+    column->addWidget(text);
+    column->addWidget(add, 0, Qt::AlignHCenter);
+    column->addStretch();
+    auto* over = new QVBoxLayout(m_tree->viewport());
+    over->setContentsMargins(0, 0, 0, 0);
+    over->addWidget(begin);
+    begin->hide();
+    return begin;
 }
 
 void DevicesView::makeToolBar(QVBoxLayout& layout) {
@@ -314,6 +339,7 @@ void DevicesView::showTree() {
         if (before && before->device == d && !m_tree->currentItem()) m_tree->setCurrentItem(item);
     }
     if (!m_tree->currentItem() && m_tree->topLevelItemCount() > 0) m_tree->setCurrentItem(m_tree->topLevelItem(0));
+    m_begin->setVisible(m_workspace.isOpen() && m_file.devices().empty());
     showFields();
     showStatus();
 }

@@ -47,6 +47,7 @@ private:
         std::optional<size_t> channel;
     };
     void makeToolBar(class QVBoxLayout& layout);
+    [[nodiscard]] QWidget* newBeginning();
     void reload(); // from disk
     void showTree();
     void showFields();
@@ -63,6 +64,7 @@ private:
     QTreeWidget* m_tree;
     QTableWidget* m_fields;
     QLabel* m_summary;
+    QWidget* m_begin = nullptr; // over an empty tree: how to begin
     QAction *m_connect = nullptr, *m_addChannel = nullptr, *m_remove = nullptr, *m_propose = nullptr,
             *m_undoAction = nullptr;
     QTimer m_refresh;

@@ -563,7 +563,7 @@ void ProjectTree::addInstances(QMenu& menu, const QTreeWidgetItem& item) {
     if (kind == "variable" && m_instanceAt) {
         const auto [block, instance] = m_instanceAt(item.data(0, Path).toString());
         if (block.isEmpty()) return;
-        connect(menu.addAction(kit::icon(Icon::Forward), tr("Source of %1 with the values of %2").arg(block, instance)),
+        connect(menu.addAction(kit::icon(Icon::Forward), tr("Source of %1 with the Values of %2").arg(block, instance)),
                 &QAction::triggered, this,
                 [this, block = block, instance = instance] { emit instanceRequested(block, instance); });
         return;

@@ -56,6 +56,8 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window) : QWidget(window), m_st
 
 void Tour::begin() {
     setGeometry(parentWidget()->rect());
+    for (QWidget* beside : parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        if (beside != this) beside->installEventFilter(this);
     raise();
     show();
     showStop(0);
@@ -141,6 +143,8 @@ bool Tour::eventFilter(QObject* watched, QEvent* event) {
         setGeometry(parentWidget()->rect());
         place();
     }
+    // Somebody who runs the program meanwhile: the dock of a fault comes to the front.
+    if (watched != parentWidget() && event->type() == QEvent::ZOrderChange && isVisible()) raise();
     return QWidget::eventFilter(watched, event);
 }
 

@@ -396,13 +396,13 @@ void WatchView::showMenu(const QPoint& position) {
         connect(menu.addAction(kit::icon(kit::Icon::Force), tr("Force to %1").arg(shown.text.left(30))),
                 &QAction::triggered, this,
                 [this, item, shown] { (void)m_control.force(expressionOf(item), shown.text); });
-        connect(menu.addAction(kit::icon(kit::Icon::Unforce), tr("Release force")), &QAction::triggered, this,
+        connect(menu.addAction(kit::icon(kit::Icon::Unforce), tr("Release Force")), &QAction::triggered, this,
                 [this, item] { m_control.unforce(expressionOf(item)); });
-        connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
+        connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in Trace")), &QAction::triggered, this,
                 [this, item] { emit traceRequested(expressionOf(item)); });
         if (const auto [block, instance] = m_control.instanceAt(expressionOf(item)); !block.isEmpty())
             connect(menu.addAction(kit::icon(kit::Icon::Forward),
-                                   tr("Source of %1 with the values of %2").arg(block, instance)),
+                                   tr("Source of %1 with the Values of %2").arg(block, instance)),
                     &QAction::triggered, this,
                     [this, block = block, instance = instance] { emit instanceRequested(block, instance); });
         kit::addWhyActions(menu, [this, expression = expressionOf(item)](kit::AskWhy question) {
@@ -423,7 +423,7 @@ void WatchView::showMenu(const QPoint& position) {
         connect(menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove")), &QAction::triggered, this,
                 &WatchView::removeSelected);
     }
-    connect(menu.addAction(kit::icon(kit::Icon::Clear), tr("Remove all")), &QAction::triggered, this, [this] {
+    connect(menu.addAction(kit::icon(kit::Icon::Clear), tr("Remove All")), &QAction::triggered, this, [this] {
         m_tree->clear();
         emit expressionsChanged();
     });

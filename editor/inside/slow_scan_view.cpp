@@ -99,7 +99,7 @@ void SlowScanView::follow() {
     if (*viewed != *m_asked) open(viewed);
 }
 
-void SlowScanView::open(std::optional<history::Position> at) {
+void SlowScanView::open(std::optional<history::Position> at, std::optional<Step> back) {
     const history::History* history = m_control.shownHistory();
     if (!history || history->statistics().scans == 0) {
         m_state->setText(tr("There is no recorded scan yet: run the program first."));
@@ -110,9 +110,9 @@ void SlowScanView::open(std::optional<history::Position> at) {
     const unsigned number = ++m_number;
     m_state->setText(tr("Running the scan again…"));
     m_control.view(at); // panel, chart and watch stay at this scan
-    (void)m_desk.ask("slow scan", [this, at, number](InsideDesk::Bench& bench) {
+    (void)m_desk.ask("slow scan", [this, at, back, number](InsideDesk::Bench& bench) {
         auto look = bench.insight.look(*at);
-        return [this, number, look] {
+        return [this, back, number, look] {
             if (number != m_number) return;
             if (!look) {
                 m_state->setText(kit::messageText(look.error()));
@@ -120,6 +120,10 @@ void SlowScanView::open(std::optional<history::Position> at) {
             }
             m_look = *look;
             m_scan = std::make_unique<inside::SlowScan>(m_look);
+            if (back) { // it has run: of a fault, the statement that failed comes first
+                m_scan->goOn();
+                m_scan->stepBack(*back);
+            }
             takeBreakpoints();
             show();
             emit moved();
@@ -153,7 +157,7 @@ void SlowScanView::step(Step how) {
 }
 
 void SlowScanView::stepBack(Step how) {
-    if (!m_scan) return open();
+    if (!m_scan) return open({}, how);
     if (m_scan->stepBack(how)) show(), emit moved();
 }
 

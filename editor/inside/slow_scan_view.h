@@ -17,8 +17,8 @@ class SlowScanView : public QWidget {
 public:
     SlowScanView(InsideDesk& desk, RunControl& control, QWidget* parent = nullptr);
 
-    /// The scan that is shown, or the newest, from its first statement on.
-    void open(std::optional<history::Position> at = {});
+    /// The scan that is shown, or the newest, from its first statement on; with `back` from its end, one step back.
+    void open(std::optional<history::Position> at = {}, std::optional<debug::Step> back = {});
     void close();
     [[nodiscard]] bool isOpen() const { return m_scan != nullptr; }
     /// Null: none is walked through.

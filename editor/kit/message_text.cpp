@@ -4,6 +4,7 @@
 #include "editor/kit/translation_tag.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QTranslator>
 
@@ -26,6 +27,8 @@ const QTranslator& translatorFor(const QString& language) {
 }
 
 std::string sentence(const messages::Form& form, const QString& language) {
+    if (!*form.context) // no words: the decimal sign
+        return (language.isEmpty() ? QLocale() : QLocale(language)).decimalPoint().toStdString();
     const QString text = language.isEmpty() ? QCoreApplication::translate(form.context, form.text)
                                             : translatorFor(language).translate(form.context, form.text);
     return text.isEmpty() ? form.text : text.toStdString();

@@ -160,7 +160,7 @@ void FigurePane::menu(const QPoint& global) {
     measure->setCheckable(true);
     measure->setChecked(m_view->measures());
     connect(measure, &QAction::toggled, m_view, &plot::FigureView::setMeasures);
-    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, &FigurePane::copyPicture);
+    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as Picture"), this, &FigurePane::copyPicture);
     for (const char* suffix : {"png", "svg", "pdf", "csv"})
         menu.addAction(tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()), this,
                        [this, suffix] { save(QLatin1String(suffix)); });

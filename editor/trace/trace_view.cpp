@@ -448,13 +448,13 @@ void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) 
         const int channel = curve.toInt();
         menu.addAction(kit::icon(kit::Icon::Configuration), tr("Properties"), this,
                        [this, channel] { m_channels->selectChannel(channel); });
-        menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove channel"), this, [this, channel] {
-            change(tr("Remove channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); });
+        menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove Channel"), this, [this, channel] {
+            change(tr("Remove Channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); });
         });
         kit::addWhyActions(menu, [this, channel](kit::AskWhy question) { askWhy(question, channel); });
         menu.addSeparator();
     }
-    menu.addAction(kit::icon(kit::Icon::Add), tr("Add channel…"), this, [this, chart] {
+    menu.addAction(kit::icon(kit::Icon::Add), tr("Add Channel…"), this, [this, chart] {
         if (const auto path = kit::pickVariable(m_variables, {}, this)) addChannel(*path, chart);
     });
     menu.addAction(kit::icon(kit::Icon::Fit), tr("Fit"), m_plot, &plot::PlotView::fit);
@@ -462,7 +462,7 @@ void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) 
                    [this] { m_plot->setCursorsShown(!m_plot->hasCursors()); });
     addNoteActions(menu, global);
     addFigureActions(*menu.addMenu(kit::icon(kit::Icon::Trace), tr("Show Beside")));
-    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
+    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as Picture"), this, [this] {
         plot::copyPicture(m_plot->model(), {m_plot->size(), 2});
     });
     menu.exec(global);

@@ -138,7 +138,7 @@ void TraceView::addChartActions(QToolBar* bar) {
 
 /// Configurations and recordings.
 void TraceView::fillFileMenu(QMenu* files) {
-    files->addAction(kit::icon(kit::Icon::Open), tr("Open configuration…"), this, [this] {
+    files->addAction(kit::icon(kit::Icon::Open), tr("Open Configuration…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open trace configuration"), m_folder,
                                                           tr("Trace configurations (*.trace.json)"));
         if (!path.isEmpty()) report(openSetup(path));
@@ -151,19 +151,19 @@ void TraceView::fillFileMenu(QMenu* files) {
         if (!path.endsWith(QLatin1String(".trace.json"))) path += QStringLiteral(".trace.json");
         report(storeSetup(path));
     };
-    files->addAction(kit::icon(kit::Icon::Save), tr("Save configuration"), this,
+    files->addAction(kit::icon(kit::Icon::Save), tr("Save Configuration"), this,
                      [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
-    files->addAction(tr("Save configuration as…"), this, saveAs);
+    files->addAction(tr("Save Configuration As…"), this, saveAs);
     files->addSeparator();
-    files->addAction(tr("Open recording…"), this, [this] {
+    files->addAction(tr("Open Recording…"), this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
                                          tr("Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)"));
         if (!path.isEmpty()) report(openRecording(path));
     });
-    files->addAction(tr("Add channel of another file…"), this, &TraceView::askChannelsFrom);
-    QAction* close = files->addAction(tr("Back to the running PLC"), this, &TraceView::closeRecording);
-    QAction* save = files->addAction(tr("Save recording…"), this, [this] {
+    files->addAction(tr("Add Channel of Another File…"), this, &TraceView::askChannelsFrom);
+    QAction* close = files->addAction(tr("Back to the Running PLC"), this, &TraceView::closeRecording);
+    QAction* save = files->addAction(tr("Save Recording…"), this, [this] {
         QString path =
             QFileDialog::getSaveFileName(this, tr("Save recording"), inProject({}), tr("Recordings (*.rec)"));
         if (path.isEmpty() || !m_recording) return;
@@ -177,12 +177,12 @@ void TraceView::fillFileMenu(QMenu* files) {
 }
 
 void TraceView::fillExportMenu(QMenu* exports) {
-    exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
+    exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as Picture"), this, [this] {
         plot::copyPicture(m_plot->model(), {m_plot->size(), 2});
     });
     for (const char* suffix : {"png", "svg", "pdf", "csv"})
         exports->addAction(suffix == QLatin1String("csv")
-                               ? tr("Save samples in view as CSV…")
+                               ? tr("Save Samples in View as CSV…")
                                : tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()),
                            this, [this, suffix] { exportTo(QLatin1String(suffix)); });
     exports->addAction(kit::icon(kit::Icon::Print), tr("Print…"), this, [this] {

@@ -47,74 +47,74 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("cut"), tr("Cut"), Icon::Cut, QKeySequence::Cut, [this] { cut(); });
     add(QStringLiteral("copy"), tr("Copy"), Icon::Copy, QKeySequence::Copy, [this] { copy(); });
     add(QStringLiteral("paste"), tr("Paste"), Icon::Paste, QKeySequence::Paste, [this] { paste(); });
-    add(QStringLiteral("paste-in-place"), tr("Paste in place"), Icon::Paste,
+    add(QStringLiteral("paste-in-place"), tr("Paste in Place"), Icon::Paste,
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), [this] { paste(true); });
     add(QStringLiteral("duplicate"), tr("Duplicate"), Icon::Copy, QKeySequence(Qt::CTRL | Qt::Key_D),
         [this] { duplicate(); });
-    add(QStringLiteral("duplicate-array"), tr("Duplicate as array…"), Icon::Table,
+    add(QStringLiteral("duplicate-array"), tr("Duplicate as Array…"), Icon::Table,
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { duplicateAsArray(); });
-    add(QStringLiteral("arrange-array"), tr("Arrange over array…"), Icon::Table, {}, [this] { arrangeOverArray(); });
+    add(QStringLiteral("arrange-array"), tr("Arrange Over Array…"), Icon::Table, {}, [this] { arrangeOverArray(); });
     add(QStringLiteral("fix-all"), tr("Fix All Issues"), Icon::Build, {}, [this] { fixAll(); });
-    add(QStringLiteral("select-all"), tr("Select all"), Icon::Select, QKeySequence::SelectAll, [this] { selectAll(); });
+    add(QStringLiteral("select-all"), tr("Select All"), Icon::Select, QKeySequence::SelectAll, [this] { selectAll(); });
     addEdit(QStringLiteral("delete"), tr("Delete"), Icon::Delete, {}, [=] { return removeElements(panel(), ids()); });
     const std::tuple<const char*, QString, Icon, Alignment> alignments[] = {
-        {"align-left", tr("Align left"), Icon::AlignLeft, Alignment::Left},
-        {"align-center", tr("Align centres"), Icon::AlignCenter, Alignment::CenterX},
-        {"align-right", tr("Align right"), Icon::AlignRight, Alignment::Right},
-        {"align-top", tr("Align top"), Icon::AlignTop, Alignment::Top},
-        {"align-middle", tr("Align middles"), Icon::AlignMiddle, Alignment::CenterY},
-        {"align-bottom", tr("Align bottom"), Icon::AlignBottom, Alignment::Bottom}};
+        {"align-left", tr("Align Left"), Icon::AlignLeft, Alignment::Left},
+        {"align-center", tr("Align Centres"), Icon::AlignCenter, Alignment::CenterX},
+        {"align-right", tr("Align Right"), Icon::AlignRight, Alignment::Right},
+        {"align-top", tr("Align Top"), Icon::AlignTop, Alignment::Top},
+        {"align-middle", tr("Align Middles"), Icon::AlignMiddle, Alignment::CenterY},
+        {"align-bottom", tr("Align Bottom"), Icon::AlignBottom, Alignment::Bottom}};
     for (const auto& [name, title, icon, alignment] : alignments)
         addEdit(QString::fromLatin1(name), title, icon, {},
                 [=, how = alignment] { return align(panel(), ids(), how); });
-    addEdit(QStringLiteral("distribute-x"), tr("Distribute horizontally"), Icon::DistributeX, {},
+    addEdit(QStringLiteral("distribute-x"), tr("Distribute Horizontally"), Icon::DistributeX, {},
             [=] { return distribute(panel(), ids(), Direction::Horizontal); });
-    addEdit(QStringLiteral("distribute-y"), tr("Distribute vertically"), Icon::DistributeY, {},
+    addEdit(QStringLiteral("distribute-y"), tr("Distribute Vertically"), Icon::DistributeY, {},
             [=] { return distribute(panel(), ids(), Direction::Vertical); });
-    addEdit(QStringLiteral("same-width"), tr("Same width"), Icon::ZoomX, {},
+    addEdit(QStringLiteral("same-width"), tr("Same Width"), Icon::ZoomX, {},
             [=] { return makeSameSize(panel(), ids(), SameSize::Width); });
-    addEdit(QStringLiteral("same-height"), tr("Same height"), Icon::ZoomY, {},
+    addEdit(QStringLiteral("same-height"), tr("Same Height"), Icon::ZoomY, {},
             [=] { return makeSameSize(panel(), ids(), SameSize::Height); });
-    addEdit(QStringLiteral("same-size"), tr("Same size"), Icon::Fit, {},
+    addEdit(QStringLiteral("same-size"), tr("Same Size"), Icon::Fit, {},
             [=] { return makeSameSize(panel(), ids(), SameSize::Both); });
-    addEdit(QStringLiteral("front"), tr("Bring to front"), Icon::BringFront,
+    addEdit(QStringLiteral("front"), tr("Bring to Front"), Icon::BringFront,
             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_BracketRight),
             [=] { return reorder(panel(), ids(), Order::Front); });
-    addEdit(QStringLiteral("forward"), tr("Bring forward"), Icon::Up, QKeySequence(Qt::CTRL | Qt::Key_BracketRight),
+    addEdit(QStringLiteral("forward"), tr("Bring Forward"), Icon::Up, QKeySequence(Qt::CTRL | Qt::Key_BracketRight),
             [=] { return reorder(panel(), ids(), Order::Forward); });
-    addEdit(QStringLiteral("backward"), tr("Send backward"), Icon::Down, QKeySequence(Qt::CTRL | Qt::Key_BracketLeft),
+    addEdit(QStringLiteral("backward"), tr("Send Backward"), Icon::Down, QKeySequence(Qt::CTRL | Qt::Key_BracketLeft),
             [=] { return reorder(panel(), ids(), Order::Backward); });
-    addEdit(QStringLiteral("back"), tr("Send to back"), Icon::SendBack,
+    addEdit(QStringLiteral("back"), tr("Send to Back"), Icon::SendBack,
             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_BracketLeft),
             [=] { return reorder(panel(), ids(), Order::Back); });
     add(QStringLiteral("group"), tr("Group"), Icon::Group, QKeySequence(Qt::CTRL | Qt::Key_G), [this] { group(); });
     add(QStringLiteral("ungroup"), tr("Ungroup"), Icon::Ungroup, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
         [this] { ungroup(); });
-    add(QStringLiteral("lay-row"), tr("Lay out in a row"), Icon::AlignMiddle, {}, [this] { layOut("row"); });
-    add(QStringLiteral("lay-column"), tr("Lay out in a column"), Icon::AlignCenter, {}, [this] { layOut("column"); });
-    add(QStringLiteral("lay-grid"), tr("Lay out in a grid"), Icon::Grid, {}, [this] { layOut("grid"); });
+    add(QStringLiteral("lay-row"), tr("Lay Out in a Row"), Icon::AlignMiddle, {}, [this] { layOut("row"); });
+    add(QStringLiteral("lay-column"), tr("Lay Out in a Column"), Icon::AlignCenter, {}, [this] { layOut("column"); });
+    add(QStringLiteral("lay-grid"), tr("Lay Out in a Grid"), Icon::Grid, {}, [this] { layOut("grid"); });
     addEdit(QStringLiteral("lock"), tr("Lock"), Icon::Lock, QKeySequence(Qt::CTRL | Qt::Key_L), [=] {
         bool all = true;
         for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked"_flag);
         return setLocked(panel(), ids(), !all);
     });
     QAction* grid =
-        add(QStringLiteral("grid"), tr("Show the grid"), Icon::Grid, QKeySequence(Qt::CTRL | Qt::Key_Apostrophe),
+        add(QStringLiteral("grid"), tr("Show the Grid"), Icon::Grid, QKeySequence(Qt::CTRL | Qt::Key_Apostrophe),
             [this] { m_canvas->setGridShown(m_actions[QStringLiteral("grid")]->isChecked()); });
     QAction* snap = add(QStringLiteral("snap"), tr("Snap (Alt: not now)"), Icon::Magnet, {},
                         [this] { m_canvas->setSnapping(m_actions[QStringLiteral("snap")]->isChecked()); });
-    QAction* live = add(QStringLiteral("live"), tr("Live preview"), Icon::Live, QKeySequence(Qt::Key_F6),
+    QAction* live = add(QStringLiteral("live"), tr("Live Preview"), Icon::Live, QKeySequence(Qt::Key_F6),
                         [this] { setLive(m_actions[QStringLiteral("live")]->isChecked()); });
     for (QAction* action : {grid, snap, live}) action->setCheckable(true);
     grid->setChecked(true);
     snap->setChecked(true);
     add(QStringLiteral("zoom-in"), tr("Zoom in"), Icon::ZoomIn, QKeySequence::ZoomIn,
         [this] { m_canvas->setZoom(m_canvas->zoom() * 1.25); });
-    add(QStringLiteral("zoom-out"), tr("Zoom out"), Icon::ZoomOut, QKeySequence::ZoomOut,
+    add(QStringLiteral("zoom-out"), tr("Zoom Out"), Icon::ZoomOut, QKeySequence::ZoomOut,
         [this] { m_canvas->setZoom(m_canvas->zoom() / 1.25); });
     add(QStringLiteral("zoom-1"), tr("Zoom 100 %"), Icon::Find, QKeySequence(Qt::CTRL | Qt::Key_0),
         [this] { m_canvas->setZoom(1); });
-    add(QStringLiteral("zoom-fit"), tr("Zoom to fit"), Icon::Fit, QKeySequence(Qt::CTRL | Qt::Key_9),
+    add(QStringLiteral("zoom-fit"), tr("Zoom to Fit"), Icon::Fit, QKeySequence(Qt::CTRL | Qt::Key_9),
         [this] { m_canvas->zoomToFit(); });
 }
 

@@ -125,6 +125,7 @@ private:
     void answerRecipe(const RecipeRequest& request, PanelScene& scene);
     void chooseSet(const RecipeRequest& request, PanelScene& scene);
     void editValue(const RecipeRequest& request);
+    void readSet(const RecipeRequest& request);
     void changeSets(const RecipeRequest& request, PanelScene& scene);
     void askForPassword(const QString& user);
     void watchTouches();

@@ -240,7 +240,7 @@ void PanelPlayer::answerRecipe(const RecipeRequest& request, PanelScene& scene) 
     case RecipeRequestKind::Write:
         return m_station.writeSet(request);
     case RecipeRequestKind::Read:
-        return m_station.readSet(request);
+        return readSet(request);
     case RecipeRequestKind::Add:
     case RecipeRequestKind::Remove:
         return changeSets(request, scene);
@@ -270,6 +270,13 @@ void PanelPlayer::editValue(const RecipeRequest& request) {
     connect(keypad, &Keypad::accepted, this, [this, request](const EntryRequest& asked, const Value& value) {
         m_station.enterValue(request, asked, value);
     });
+}
+
+/// What was in the set does not come back either.
+void PanelPlayer::readSet(const RecipeRequest& request) {
+    if (!m_station.shownRun()) return m_station.readSet(request); // refused: there is nothing to be asked about
+    auto* question = new Question({m_station.say(SystemText::ConfirmRead).arg(request.set), {}, false}, look(), this);
+    connect(question, &Question::confirmed, this, [this, request] { m_station.readSet(request); });
 }
 
 /// A set that is gone does not come back: who touched the wrong key is asked.

@@ -70,9 +70,10 @@ constexpr std::array kKeys{
     "chattering_alarms",
     "user_name",
     "confirm_remove",
+    "confirm_read",
 };
 
-static_assert(kKeys.size() == static_cast<size_t>(SystemText::ConfirmRemove) + 1);
+static_assert(kKeys.size() == static_cast<size_t>(SystemText::ConfirmRead) + 1);
 
 /// system_texts.csv, which is a table like that of a project.
 const TextTable& ownTable() {

@@ -62,6 +62,7 @@ enum class SystemText {
     ChatteringAlarms,
     UserName,
     ConfirmRemove, // "Delete %1?"
+    ConfirmRead,   // "Replace the values in %1 with those of the controller?"
 };
 
 QString systemText(const TextCatalog& texts, SystemText text, const QString& tag);

@@ -15,6 +15,9 @@ std::string joined(const std::vector<std::string>& names) {
     return out;
 }
 
+/// "." between the digits: whoever translates gives that of the language.
+constexpr Form kDecimalSign{"", "DecimalSign", ".", nullptr, 0};
+
 std::string shown(const Argument& argument, const Translator& translator) {
     struct Shower {
         const Translator& translator;
@@ -22,7 +25,10 @@ std::string shown(const Argument& argument, const Translator& translator) {
         std::string operator()(uint64_t number) const { return std::to_string(number); }
         std::string operator()(double number) const {
             char digits[32];
-            return std::string(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+            std::string text(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+            if (const size_t point = text.find('.'); point != std::string::npos)
+                text.replace(point, 1, translator(kDecimalSign));
+            return text;
         }
         std::string operator()(const std::string& text) const { return text; }
         std::string operator()(const std::vector<std::string>& names) const { return joined(names); }

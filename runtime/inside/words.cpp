@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace plc::inside {
 
@@ -13,25 +12,18 @@ namespace {
 constexpr size_t kLongestStatement = 90;
 constexpr uint32_t kDeepestStep = 12;
 
-std::string number(double value) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.3f", value);
-    std::string shown(text);
-    shown.erase(shown.find_last_not_of('0') + 1);
-    if (!shown.empty() && shown.back() == '.') shown.pop_back();
-    return shown;
-}
+double toThreeDigits(double value) { return std::round(value * 1000) / 1000; }
 
 Message scanWords(const history::ScanStamp& at) { return texts::AtScan(timeWords(at.time), at.scan); }
 
 } // namespace
 
-std::string timeWords(controller::Nanoseconds time) {
+Message timeWords(controller::Nanoseconds time) {
     const auto ns = static_cast<double>(time.count());
-    if (std::fabs(ns) < 1e6 && time.count() != 0) return number(ns / 1e3) + " µs";
-    if (std::fabs(ns) < 60e9) return number(ns / 1e9) + " s";
+    if (std::fabs(ns) < 1e6 && time.count() != 0) return texts::Microseconds(toThreeDigits(ns / 1e3));
+    if (std::fabs(ns) < 60e9) return texts::Seconds(toThreeDigits(ns / 1e9));
     const int64_t minutes = time.count() / 60'000'000'000;
-    return std::to_string(minutes) + " min " + number((ns - static_cast<double>(minutes) * 60e9) / 1e9) + " s";
+    return texts::MinutesAndSeconds(minutes, toThreeDigits((ns - static_cast<double>(minutes) * 60e9) / 1e9));
 }
 
 Message blockNote(const Look& look, uint32_t instance, const types::Type& block) {

@@ -25,7 +25,7 @@ struct Sentence {
 [[nodiscard]] Message writerWords(const Writer& writer);
 
 /// "1.01 s", "2 min 3.5 s".
-[[nodiscard]] std::string timeWords(controller::Nanoseconds time);
+[[nodiscard]] Message timeWords(controller::Nanoseconds time);
 /// What a timer or counter stands at: "it has run 3.2 s of 5 s, 1.8 s to go"; empty: nothing to say.
 [[nodiscard]] Message blockNote(const Look& look, uint32_t instance, const types::Type& block);
 /// "src/main.st:29"; empty: a place without a text.

@@ -1,9 +1,11 @@
 // After a fault the window shows the scan in which it happened, also where a plant goes on: line, call stack, watch and
 // text are of one moment, until one goes back to the present.
+#include "app/online/inside_views.h"
 #include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/fault_scan.h"
 #include "editor/debug/watch_view.h"
+#include "editor/inside/slow_scan_view.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -127,6 +129,19 @@ TEST_F(FaultMomentTest, RunningAgainIsLiveAndTheNextFaultIsShownAgain) {
                window->control().viewed().has_value();
     }));
     EXPECT_TRUE(waitFor([&] { return watched("Main.parts") == "979"; }));
+}
+
+TEST_F(FaultMomentTest, SteppingBackBeginsAtTheStatementThatFailed) {
+    QTest::keyClick(window.get(), Qt::Key_F8, Qt::ControlModifier | Qt::ShiftModifier);
+    editor::SlowScanView& slow = window->inside().slowScan();
+    ASSERT_TRUE(waitFor([&] { return slow.isOpen(); }));
+    EXPECT_TRUE(window->dock("slowScan")->isVisible());
+    ASSERT_EQ(slow.frames().topLevelItemCount(), 2);
+    EXPECT_EQ(slow.frames().topLevelItem(0)->text(0), "Share");
+    EXPECT_EQ(slow.scan()->at() + 1, slow.scan()->stops());
+    QTest::keyClick(window.get(), Qt::Key_F8, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_EQ(slow.frames().topLevelItemCount(), 1) << "the call";
+    EXPECT_EQ(slow.frames().topLevelItem(0)->text(0), "Main");
 }
 
 } // namespace

@@ -102,5 +102,27 @@ TEST_F(GuideTest, TheTourIsAboutTheProjectAtHandAndStaysAboveItsDocks) {
     tour->next();
 }
 
+TEST_F(GuideTest, TheTourStaysAboveTheDocksThatAFaultShows) {
+    window->workspace().setText("src/main.st", "PROGRAM Main\nVAR a : INT; END_VAR\na := 1 / a;\nEND_PROGRAM\n");
+    ASSERT_TRUE(window->workspace().save("src/main.st"));
+    analysed();
+    window->startTour();
+    auto* tour = window->findChild<Tour*>();
+    ASSERT_TRUE(tour && tour->isVisible());
+    QTest::keyClick(window.get(), Qt::Key_F5); // as its first stop offers
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }));
+    ASSERT_TRUE(waitFor([&] { return window->dock("callPath")->isVisible(); }));
+    settle();
+    for (const QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+        if (!dock->isVisible() || dock->isFloating()) continue;
+        const QPoint inside = dock->mapTo(window.get(), dock->rect().center());
+        if (!window->rect().contains(inside)) continue;
+        QWidget* top = window->childAt(inside);
+        EXPECT_TRUE(top == tour || tour->isAncestorOf(top)) << dock->objectName().toStdString();
+    }
+    QTest::keyClick(tour, Qt::Key_Escape);
+    EXPECT_FALSE(tour->isVisible());
+}
+
 } // namespace
 } // namespace plc::app

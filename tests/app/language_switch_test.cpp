@@ -1,5 +1,6 @@
 // The studio's language changes while the controller runs: the window is another one, everything in it goes on.
 #include "app/documents/design_pages.h"
+#include "app/frame/kept_size.h"
 #include "app/panels/live_views.h"
 #include "app/settings/translation.h"
 #include "editor/debug/debug_views.h"
@@ -50,6 +51,16 @@ protected:
     }
     QString firstMenu() { return window->menuBar()->actions().front()->text().remove('&'); }
 };
+
+TEST_F(LanguageSwitchTest, TheWindowKeepsItsSize) {
+    window->closeProject(); // as on the start page: the docks are not there yet
+    const QSize size(1300, 800);
+    window->resize(size);
+    ASSERT_TRUE(waitFor([&] { return window->size() == size; }));
+    choose("Deutsch");
+    ASSERT_TRUE(waitFor([&] { return !window->findChild<KeptSize*>(); }, 40'000)) << "the layout does not rest";
+    EXPECT_EQ(window->size(), size) << window->width() << " x " << window->height();
+}
 
 TEST_F(LanguageSwitchTest, TheControllerGoesOnAndNothingIsLost) {
     window->action("run.start")->trigger();

@@ -209,6 +209,17 @@ TEST_F(StudioTest, EveryActionHasATextAndShortcutsAreUnique) {
     }
 }
 
+// Ctrl+Alt with a function key leads to another console of the computer; the window never sees it.
+TEST_F(StudioTest, NoShortcutIsOneThatTheDesktopTakes) {
+    for (const QAction* action : window->allActions())
+        for (const QKeySequence& keys : action->shortcuts())
+            for (int i = 0; i < keys.count(); ++i) {
+                const bool isFunction = keys[uint(i)].key() >= Qt::Key_F1 && keys[uint(i)].key() <= Qt::Key_F12;
+                EXPECT_FALSE(isFunction && keys[uint(i)].keyboardModifiers() == (Qt::ControlModifier | Qt::AltModifier))
+                    << action->objectName().toStdString() << ": " << keys.toString().toStdString();
+            }
+}
+
 TEST_F(StudioTest, SaveWritesTheFileAndMarksItClean) {
     typeAtEnd("done := FALSE;");
     EXPECT_TRUE(window->workspace().isModified("src/main.st"));

@@ -15,6 +15,8 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
+#include <QStatusBar>
 #include <QTableWidget>
 #include <QTimer>
 #include <QToolBar>
@@ -116,6 +118,45 @@ TEST_F(StudioTest, AnySpeedCanBeTypedAndTheStatusLineSaysIt) {
     EXPECT_TRUE(waitFor([&] { return shows("7.25 ×"); }, 3000));
     choose("nonsense");
     EXPECT_EQ(window->control().mode().factor, 7.25);
+}
+
+TEST_F(StudioTest, ASpeedIsTypedAndTakenByOneEnter) {
+    bool isClosed = false;
+    QTimer::singleShot(100, [&isClosed] {
+        const QPointer<QWidget> dialog = QApplication::activeModalWidget();
+        ASSERT_TRUE(dialog);
+        for (const char key : {'0', '.', '5'})
+            QTest::keyClick(QApplication::focusWidget(), key); // the begin of "0.5 ×"
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        isClosed = !dialog || !dialog->isVisible();
+        if (!isClosed) static_cast<QDialog*>(dialog.data())->reject();
+    });
+    window->action("run.speed")->trigger();
+    EXPECT_TRUE(isClosed);
+    EXPECT_EQ(window->control().mode().factor, 0.5);
+}
+
+TEST_F(StudioTest, AMessageThatDoesNotFitIntoTheStatusLineIsReadAboveIt) {
+    const auto shown = [&] {
+        const auto* whole = window->findChild<QLabel*>("longMessage");
+        return whole && whole->isVisible() ? whole->text() : QString();
+    };
+    window->say("Short");
+    EXPECT_EQ(shown(), "");
+    const QString why = QString("The file %1 cannot be written: the disk is full; free some space and try again")
+                            .arg(QString("long/").repeated(30));
+    window->say(why, true);
+    EXPECT_EQ(shown(), why);
+    const auto* whole = window->findChild<QLabel*>("longMessage");
+    EXPECT_TRUE(window->rect().contains(whole->geometry()));
+    EXPECT_GE(whole->height(), whole->heightForWidth(whole->width())) << "all of it";
+    EXPECT_LT(whole->geometry().bottom(), window->statusBar()->geometry().top());
+    QTest::mouseClick(const_cast<QLabel*>(whole), Qt::LeftButton);
+    EXPECT_EQ(shown(), "") << "a click closes it";
+    window->say(why, true);
+    EXPECT_EQ(shown(), why);
+    window->say("Saved");
+    EXPECT_EQ(shown(), "") << "another message takes its place";
 }
 
 TEST_F(StudioTest, ThePaletteOffersEveryAction) {

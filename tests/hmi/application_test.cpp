@@ -366,8 +366,22 @@ TEST(Recipe, IsEditedReadAndKeptInTheFile) {
     keypad->close();
     plant.clickKey(2); // a copy
     EXPECT_EQ(plant.table().currentSet().toStdString(), "a2");
-    plant.clickKey(1); // of what the controller holds
-    const RecipeSet* read = player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2"));
+    const auto answer = [&](const QString& word) {
+        Question* question = plant.box<Question>();
+        ASSERT_TRUE(question);
+        for (QPushButton* button : question->findChildren<QPushButton*>())
+            if (button->text() == word) return button->click();
+        FAIL() << word.toStdString();
+    };
+    plant.clickKey(1); // asks first: what was in the set would be lost
+    answer(QStringLiteral("No"));
+    settle();
+    const auto copied = [&] { return player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2")); };
+    ASSERT_TRUE(copied());
+    EXPECT_EQ(copied()->values["Main.level"].toStdString(), "44.0");
+    plant.clickKey(1);
+    answer(QStringLiteral("Yes")); // what the controller holds
+    const RecipeSet* read = copied();
     ASSERT_TRUE(read);
     EXPECT_EQ(read->values["Main.level"].toStdString(), "12.5");
     EXPECT_EQ(read->values["Main.small"].toStdString(), "0");
@@ -377,13 +391,6 @@ TEST(Recipe, IsEditedReadAndKeptInTheFile) {
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->recipes(), player.recipes().recipes());
     plant.clickKey(3); // asks first
-    const auto answer = [&](const QString& word) {
-        Question* question = plant.box<Question>();
-        ASSERT_TRUE(question);
-        for (QPushButton* button : question->findChildren<QPushButton*>())
-            if (button->text() == word) return button->click();
-        FAIL() << word.toStdString();
-    };
     answer(QStringLiteral("No"));
     settle();
     EXPECT_TRUE(player.recipes().find(QStringLiteral("r"))->find(QStringLiteral("a2")));

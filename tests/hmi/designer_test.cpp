@@ -19,6 +19,7 @@
 #include <QContextMenuEvent>
 #include <QDropEvent>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -423,6 +424,22 @@ TEST(Texts, TheTableEditorRenamesKeysEverywhereAndKnowsTheUsers) {
     editor.addLanguage(QStringLiteral("fr"));
     editor.undoStack().undo();
     EXPECT_EQ(studio.project.texts.table().write(), now);
+}
+
+TEST(Texts, TheyAreCountedWhileTheyAreTypedInAPanel) {
+    Studio studio;
+    TextEditor editor(*studio.context);
+    const auto says = [&](int count) {
+        for (const QLabel* each : editor.findChildren<QLabel*>())
+            if (each->text().startsWith(QStringLiteral("%1 text").arg(count))) return true;
+        return false;
+    };
+    const int before = editor.model().rowCount();
+    EXPECT_TRUE(says(before));
+    QUndoStack undo;
+    studio.context->storeText({}, QStringLiteral("Words that are new"), QStringLiteral("main"), undo);
+    ASSERT_EQ(editor.model().rowCount(), before + 1);
+    EXPECT_TRUE(says(before + 1));
 }
 
 TEST(Designer, ANewNavigationBarLeadsToThePanelsOfTheProject) {

@@ -8,7 +8,8 @@ namespace plc {
 
 struct LongScan {
     const char* name;
-    std::string text; // of the whole program
+    std::string text;     // of the whole program
+    std::string variable; // one of Main
 };
 
 inline std::vector<LongScan> longScans() {
@@ -21,15 +22,19 @@ inline std::vector<LongScan> longScans() {
         calls += "FUNCTION " + name + " : INT\nVAR_INPUT q : INT; END_VAR\n" + name + " := " + before + "(q) + " +
                  before + "(q + 1) MOD 7;\nEND_FUNCTION\n";
     }
-    return {{"Calls", calls + "PROGRAM Main\nVAR a : INT; END_VAR\na := F59(a);\nEND_PROGRAM\n" + configuration},
-            {"Copies", "PROGRAM Main\nVAR a, b : ARRAY[0..60000000] OF BYTE; i : DINT; END_VAR\n"
-                       "FOR i := 0 TO 100000000 DO a[i MOD 1000] := b[5]; b := a; END_FOR\nEND_PROGRAM\n" +
-                           configuration},
-            {"Search", "PROGRAM Main\nVAR i : LINT; k : INT; s, n : STRING(65000); END_VAR\n"
-                       "s := 'a'; FOR i := 1 TO 15 DO s := CONCAT(s, s); END_FOR\n"
-                       "n := CONCAT(LEFT(s, 16000), 'b'); FOR i := 0 TO 1000000000 DO k := FIND(s, n); END_FOR\n"
-                       "END_PROGRAM\n" +
-                           configuration}};
+    return {{"Calls", calls + "PROGRAM Main\nVAR a : INT; END_VAR\na := F59(a);\nEND_PROGRAM\n" + configuration, "a"},
+            {"Copies",
+             "PROGRAM Main\nVAR a, b : ARRAY[0..60000000] OF BYTE; i : DINT; END_VAR\n"
+             "FOR i := 0 TO 100000000 DO a[i MOD 1000] := b[5]; b := a; END_FOR\nEND_PROGRAM\n" +
+                 configuration,
+             "i"},
+            {"Search",
+             "PROGRAM Main\nVAR i : LINT; k : INT; s, n : STRING(65000); END_VAR\n"
+             "s := 'a'; FOR i := 1 TO 15 DO s := CONCAT(s, s); END_FOR\n"
+             "n := CONCAT(LEFT(s, 16000), 'b'); FOR i := 0 TO 1000000000 DO k := FIND(s, n); END_FOR\n"
+             "END_PROGRAM\n" +
+                 configuration,
+             "k"}};
 }
 
 } // namespace plc

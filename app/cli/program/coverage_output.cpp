@@ -1,10 +1,9 @@
 #include "app/cli/program/coverage_output.h"
-#include "app/cli/kit/errors.h"
 
+#include "app/cli/kit/written_file.h"
 #include "projects/session/session.h"
 
 #include <cstdio>
-#include <fstream>
 
 namespace plc::cli {
 
@@ -43,15 +42,10 @@ std::string CoverageRun::text() const {
 }
 
 Result<void> CoverageRun::write(const std::string& file) const {
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    if (!out) return Error{errors::ReportNotOpened(), file};
-    if (m_coverage) {
-        const auto all = m_coverage->functions();
-        out << (file.ends_with(".xml") ? inside::coberturaXml(*m_program, all) : inside::coverageHtml(*m_program, all));
-    }
-    out.close();
-    if (!out) return Error{errors::ReportNotWritten(), file};
-    return {};
+    if (!m_coverage) return writeFile(file, {});
+    const auto all = m_coverage->functions();
+    return writeFile(file, file.ends_with(".xml") ? inside::coberturaXml(*m_program, all)
+                                                  : inside::coverageHtml(*m_program, all));
 }
 
 } // namespace plc::cli

@@ -1,6 +1,7 @@
 #include "app/cli/program/commands.h"
 
 #include "app/cli/kit/errors.h"
+#include "app/cli/kit/written_file.h"
 #include "app/cli/program/coverage_output.h"
 #include "projects/testing/test_run.h"
 #include "runtime/base/xml_text.h"
@@ -159,6 +160,8 @@ int test(const Arguments& arguments) {
     std::vector<std::string> all = arguments.paths();
     const bool wantsConditions = options.coverage && std::erase(all, "mcdc") > 0; // --coverage mcdc
     const auto reportFile = arguments.value("--report");
+    if (reportFile)
+        if (auto good = checkPlace(*reportFile); !good) return wrongUse(good.error());
     for (const std::vector<std::string>& paths : projectsOf(all)) {
         CoverageRun coverage;
         if (wantsConditions || reportFile) {

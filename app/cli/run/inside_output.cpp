@@ -221,7 +221,7 @@ uint32_t depthOf(const inside::Look& look, uint32_t activation) {
 
 std::string insideText(const inside::Look& look) {
     std::string text = "scan " + std::to_string(look.input().stamp.scan) + " at " +
-                       inside::timeWords(look.input().stamp.time) +
+                       inside::timeWords(look.input().stamp.time).english() +
                        (look.isExact() ? ", run again exactly as recorded" : ", NOT as recorded") + "\n";
     for (const inside::Difference& difference : look.differences())
         text += "  differs: " + (difference.path.empty() ? std::to_string(difference.offset) : difference.path) + "\n";

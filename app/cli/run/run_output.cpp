@@ -182,8 +182,12 @@ std::string RunReport::toText(bool colours) const {
     if (fault) {
         out += (colours ? std::string("\033[1;31m") : std::string()) + "fault" + (colours ? "\033[0m" : "") + ": " +
                fault->message.english() + "\n";
-        out += "  in task " + fault->task + " at " + placeText(built, fault->range) + ", scan " +
-               std::to_string(fault->scan) + ", " + types::durationText(fault->time.count()) + "\n";
+        const std::string place = " at " + placeText(built, fault->range);
+        if (fault->task.empty()) // before the first scan no task runs
+            out += "  while initial values were applied," + place + "\n";
+        else
+            out += "  in task " + fault->task + place + ", scan " + std::to_string(fault->scan) + ", " +
+                   types::durationText(fault->time.count()) + "\n";
         constexpr size_t kFirst = 12, kLast = 4; // of a recursion the ends tell what the middle repeats
         const size_t count = fault->calls.size();
         for (size_t i = 0; i < count; ++i) {
@@ -192,6 +196,7 @@ std::string RunReport::toText(bool colours) const {
                 out += "  … " + std::to_string(i - kFirst) + " more calls …\n";
             }
             const controller::FaultFrame& frame = fault->calls[i];
+            if (!frame.range.file.isValid()) continue; // what the compiler adds
             out += "  " + frame.function + (frame.instance.empty() ? "" : " (" + frame.instance + ")") + " at " +
                    placeText(built, frame.range) + "\n";
         }

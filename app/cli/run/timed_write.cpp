@@ -4,6 +4,7 @@
 #include "app/cli/kit/errors.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
+#include "runtime/controller/leave_hook.h"
 
 #include <algorithm>
 
@@ -70,6 +71,7 @@ Result<void> runProject(const Arguments& arguments, const driver::Built& built, 
     }
     const auto writes = readWrites(arguments, built.checked, controller);
     if (!writes) return writes.error();
+    controller::setLeaveHook(controller, isInterrupted); // a scan may take longer than anybody waits
     controller.start();
     ProgressLine progress;
     size_t next = 0;

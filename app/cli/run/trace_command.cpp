@@ -6,7 +6,6 @@
 #include "editor/trace/curves/trace_picture.h"
 #include "editor/trace/recording/run_recording.h"
 #include "projects/session/session.h"
-#include "runtime/controller/leave_hook.h"
 
 #include <QApplication>
 
@@ -252,7 +251,6 @@ int runTrace(const Arguments& arguments) {
     settings.historyBudget = size_t(2) << 30;
     catchInterrupt();
     session::Session session(built, settings);
-    controller::setLeaveHook(session.controller(), isInterrupted);
     if (auto ran = runProject(arguments, built, session, std::chrono::seconds(10), "--for"); !ran)
         return wrongUse(ran.error());
     const bool faulted = session.controller().state() == controller::State::Fault;

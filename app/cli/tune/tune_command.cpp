@@ -1,6 +1,7 @@
 #include "app/cli/tune/commands.h"
 
 #include "app/cli/kit/errors.h"
+#include "app/cli/kit/written_file.h"
 #include "app/cli/run/inside_output.h"
 #include "app/cli/run/recorded_run.h"
 #include "app/cli/run/run_output.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace plc::cli {
@@ -116,16 +116,9 @@ ControllerKind kindFor(const Question& question, const std::optional<loops::Loop
     return kinds.size() > 1 ? ControllerKind::Pi : ControllerKind::P;
 }
 
-Result<void> writeText(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (!file.flush()) return Error{errors::OutputNotWritten(), path};
-    return {};
-}
-
 /// As its ending says: .pdf, else HTML.
 Result<void> writeReport(const TuneReport& report, const std::string& path) {
-    if (std::filesystem::path(path).extension() != ".pdf") return writeText(path, pageOf(report));
+    if (std::filesystem::path(path).extension() != ".pdf") return writeFile(path, pageOf(report));
     needApplication();
     return plot::exportPage(pageOf(report), report.name, path);
 }
@@ -168,7 +161,7 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
         report.parameters = tuning::parametersOf(*report.loop->form, chosen->assessment.gains, report.cycle);
     for (const auto& [option, draw] : {std::pair{"--picture", &pictureOf}, std::pair{"--bode", &bodePictureOf}})
         if (const auto path = arguments.value(option))
-            if (auto written = writeText(*path, draw(report, arguments.has("--dark"))); !written)
+            if (auto written = writeFile(*path, draw(report, arguments.has("--dark"))); !written)
                 return wrongUse(written.error());
     if (page) {
         report.health = healthOf(report);
@@ -257,6 +250,9 @@ int tune(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::TuneNeedsOne(), ""});
     const auto question = questionOf(arguments);
     if (!question) return wrongUse(question.error());
+    for (const char* option : {"--report", "--picture", "--bode"})
+        if (const auto file = arguments.value(option))
+            if (auto good = checkPlace(*file); !good) return wrongUse(good.error());
     const std::string& path = arguments.paths()[0];
     if (isTable(path)) return tuneTable(arguments, *question, path);
     if (!isRecording(path)) return tuneProject(arguments, *question, path);

@@ -124,6 +124,19 @@ TEST_F(RunValues, AFileNamedTwiceIsOneFile) {
     EXPECT_EQ(command({"check", path("main.st"), path("main.st"), path("link.st")}), 0) << err;
 }
 
+TEST_F(RunValues, AFaultOfInitialValuesSaysSo) {
+    write("init.st",
+          "FUNCTION_BLOCK B\nVAR x : DINT; END_VAR\nMETHOD FB_Init : BOOL\nVAR_INPUT bInitRetains, bInCopyCode "
+          ": BOOL; END_VAR\nx := 1 / x;\nEND_METHOD\nEND_FUNCTION_BLOCK\nPROGRAM Main\nVAR b : B; "
+          "END_VAR\nb();\nEND_PROGRAM\n");
+    EXPECT_EQ(command({"run", path("init.st"), "--scans", "1"}), 1);
+    EXPECT_NE(out.find("  while initial values were applied, at " + path("init.st") + ":5\n"), std::string::npos)
+        << out;
+    EXPECT_NE(out.find("  B.FB_Init (Main.b) at "), std::string::npos) << out;
+    EXPECT_EQ(out.find("in task "), std::string::npos) << out;
+    EXPECT_EQ(out.find(" at \n"), std::string::npos) << out;
+}
+
 TEST_F(RunValues, TheEndsOfALongCallPathAreShown) {
     write("deep.st",
           "INTERFACE Deeper\nMETHOD go : INT\nEND_METHOD\nEND_INTERFACE\n"

@@ -194,9 +194,10 @@ TEST_F(TuneCommand, AReportEndingInPdfIsOne) {
     EXPECT_TRUE(page.starts_with("%PDF-")) << page.substr(0, 20);
     EXPECT_NE(page.find("/Image"), std::string::npos) << "the charts are in it";
     EXPECT_NE(page.find("/Count 3"), std::string::npos) << "health, charts, figures";
-    EXPECT_NE(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
+    EXPECT_EQ(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
                        "/no/such/folder/loop.pdf"}),
-              cli::kGood);
+              cli::kWrongUse);
+    EXPECT_NE(err.find("There is no folder /no/such/folder"), std::string::npos) << err;
 }
 
 TEST_F(TuneCommand, SaysWhatIsWrong) {

@@ -120,4 +120,10 @@ TEST_F(WhyErrors, CoverageOfTestsNamesWhatIsMissing) {
     EXPECT_NE(read("c.html").find("missing: b = TRUE"), std::string::npos);
     EXPECT_EQ(command({"test", path("a.st"), "--coverage", "mcdc", "--report", path("no/folder/c.html")}),
               cli::kWrongUse);
+    EXPECT_EQ(out, "") << "refused before a test runs";
+    EXPECT_NE(err.find("There is no folder " + path("no/folder") + "; create it"), std::string::npos) << err;
+    EXPECT_EQ(command({"test", path("a.st"), "--report", path(".")}), cli::kWrongUse);
+    EXPECT_NE(err.find("it is a folder; choose a file"), std::string::npos) << err;
+    EXPECT_EQ(command({"test", path("a.st"), "--report", "/dev/full"}), cli::kWrongUse);
+    EXPECT_NE(err.find("/dev/full: The file cannot be written: no space left"), std::string::npos) << err;
 }

@@ -13,7 +13,10 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
+#include <QPushButton>
 #include <QTableWidget>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include <memory>
@@ -94,6 +97,24 @@ TEST_F(DevicesDock, TheTreeOfTheProjectLeadsToIt) {
     window->dock("devices")->hide();
     emit tree.itemActivated(found.front(), 0);
     EXPECT_TRUE(window->dock("devices")->isVisible());
+}
+
+TEST_F(DevicesDock, WithoutDevicesItSaysHowToBegin) {
+    auto* begin = view().findChild<QWidget*>("devicesBegin");
+    ASSERT_TRUE(waitFor([&] { return begin->isVisible(); }));
+    auto* add = begin->findChild<QPushButton*>();
+    QTimer::singleShot(0, [&] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        ASSERT_TRUE(menu);
+        ASSERT_TRUE(waitFor([&] { return menu->isVisible(); }));
+        QTest::keyClick(menu, Qt::Key_Down);
+        QTest::keyClick(menu, Qt::Key_Return);
+    });
+    QTest::mouseClick(add, Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return onDisk().find("modbus-tcp") != std::string::npos; })) << onDisk();
+    EXPECT_FALSE(begin->isVisible());
+    view().undo();
+    EXPECT_TRUE(begin->isVisible());
 }
 
 TEST_F(DevicesDock, ADeviceIsDescribedCheckedAndUndone) {

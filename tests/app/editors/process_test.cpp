@@ -239,7 +239,10 @@ TEST(Mcp, DrawsTracesAndPanels) {
     EXPECT_TRUE(hasPicture(trace)) << textOf(trace);
     EXPECT_NE(textOf(trace).find("IO.Measured"), std::string::npos) << textOf(trace);
     const QString texts = source("projects/examples/alarm_texts");
-    EXPECT_TRUE(hasPicture(peer.call("panel", {{"project", texts}, {"at", "1s"}})));
+    const QJsonObject panels = peer.call("panel", {{"project", texts}, {"at", "1s"}});
+    EXPECT_TRUE(hasPicture(panels));
+    EXPECT_NE(textOf(panels).find(".png"), std::string::npos) << textOf(panels);
+    EXPECT_EQ(textOf(panels).find('/'), std::string::npos) << "a folder that is gone: " << textOf(panels);
     EXPECT_FALSE(peer.call("panel_findings", {{"project", texts}})["isError"].toBool());
 }
 

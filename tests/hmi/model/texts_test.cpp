@@ -157,7 +157,7 @@ TEST(Language, ThePanelItselfSpeaksEveryLanguageOfTheExamples) {
         settings.languages = QStringList{QLatin1String(tag)};
         const TextCatalog texts(TextTable(), settings);
         int same = 0;
-        for (int i = 0; i <= static_cast<int>(SystemText::NotWritable); ++i) {
+        for (int i = 0; i <= static_cast<int>(SystemText::ConfirmRead); ++i) {
             const auto text = static_cast<SystemText>(i);
             const QString said = systemText(texts, text, QLatin1String(tag));
             const QString english = systemText(TextCatalog(), text, QStringLiteral("en"));
