@@ -65,6 +65,45 @@ TEST(FindSteps, OfADayNinetyFivePerCentAreFoundAndLessThanFiveAreFalse) {
     }
 }
 
+namespace {
+
+/// Of the steps in a day's recording, how many per cent are usable; each moves the output by so many times its noise.
+double usableOf(double timesNoise, double drift, unsigned seed, double answer = 1) {
+    Plan plan;
+    plan.samples = 86'400;
+    plan.noise = 0.2;
+    plan.drift = drift;
+    plan.seed = seed;
+    const double height = timesNoise * plan.noise / plan.process.gain;
+    plan.process.gain *= answer;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> wait(300, 1800);
+    double level = 0;
+    for (double at = 600; at < 85'000; at += wait(random)) {
+        level += random() % 2 ? height : -height;
+        plan.inputs.emplace_back(static_cast<size_t>(at), level);
+    }
+    const std::vector<FoundStep> found = findSteps(play(plan));
+    const auto usable = std::count_if(found.begin(), found.end(), [](const auto& step) { return step.isUsable(); });
+    EXPECT_EQ(found.size(), plan.inputs.size());
+    return 100.0 * static_cast<double>(usable) / static_cast<double>(plan.inputs.size());
+}
+
+} // namespace
+
+TEST(FindSteps, StepsOfFourTimesTheNoiseAreUsable) {
+    for (const unsigned seed : {101U, 102U})
+        for (const double drift : {0.0, 0.4}) {
+            EXPECT_GE(usableOf(4, drift, seed), 95) << seed << " " << drift;
+            EXPECT_GE(usableOf(3, drift, seed), 90) << seed << " " << drift;
+        }
+}
+
+TEST(FindSteps, WhatTheProcessDoesNotAnswerIsNotUsable) {
+    for (const unsigned seed : {101U, 102U})
+        for (const double drift : {0.0, 0.4}) EXPECT_LT(usableOf(4, drift, seed, 1e-6), 5) << seed << " " << drift;
+}
+
 TEST(FindSteps, ADayOfNoiseAloneHasNone) {
     Plan plan;
     plan.samples = 86'400;
