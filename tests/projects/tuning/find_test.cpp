@@ -308,6 +308,15 @@ TEST(Csv, ReadsWhatOtherToolsWrite) {
     EXPECT_DOUBLE_EQ(series->output[3], 1.25);
 }
 
+TEST(Csv, DatesCountFromTheFirstSample) {
+    std::string text = "timestamp,u,y\n";
+    for (int i = 0; i < 30; ++i) text += std::to_string(1774742280000 + i * 250) + ",1," + std::to_string(i) + "\n";
+    const auto series = parseCsv(text, {"u", "y", ""});
+    ASSERT_TRUE(series) << series.error().english();
+    EXPECT_NEAR(series->time[0], 0, 1e-6);
+    EXPECT_NEAR(series->time[29], 7.25, 1e-6);
+}
+
 TEST(Csv, RowsBeforeTheFirstValueAreLeftOut) {
     std::string text = "time_s,u,y\n0,,\n1,5,\n";
     for (int i = 2; i < 40; ++i) text += std::to_string(i) + ",5," + std::to_string(i) + "\n";
