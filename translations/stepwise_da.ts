@@ -6229,8 +6229,8 @@
         <translation>udgangen bevæger sig kun {0} gange sin støj</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>for kort: {0} målinger til næste ændring</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>for kort: {0} {0:måling|målinger} til næste ændring eller slutningen</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>

@@ -6229,8 +6229,8 @@
         <translation>der Ausgang bewegt sich nur um das {0}-Fache seines Rauschens</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>zu kurz: {0} Messwerte bis zur nächsten Änderung</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>zu kurz: {0} {0:Messwert|Messwerte} bis zur nächsten Änderung oder zum Ende</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>

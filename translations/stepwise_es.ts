@@ -6229,8 +6229,8 @@
         <translation>la salida solo se mueve {0} veces su ruido</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>demasiado corto: {0} muestras hasta el cambio siguiente</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>demasiado corto: {0} {0:muestra|muestras} hasta el cambio siguiente o el final</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>

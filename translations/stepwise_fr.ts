@@ -6229,8 +6229,8 @@
         <translation>la sortie ne bouge que de {0} fois son bruit</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>trop court&#xa0;: {0} échantillons jusqu’au changement suivant</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>trop court&#xa0;: {0} {0:échantillon|échantillons} jusqu’au changement suivant ou jusqu’à la fin</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>

@@ -6227,8 +6227,8 @@
         <translation>输出的变化仅为其噪声的 {0} 倍</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>过短：到下一次变化只有 {0} 个采样</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>过短：到下一次变化或记录结束只有 {0} 个采样</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>

@@ -195,6 +195,15 @@ TEST(FindSteps, SaysWhyOneIsNotUsable) {
     EXPECT_FALSE(found[3].startsAtRest);
 }
 
+TEST(FindSteps, OneAtTheVeryEndIsTooShort) {
+    Plan plan;
+    plan.samples = 1001;
+    plan.inputs = {{200, 4}, {1000, 0}};
+    const std::vector<FoundStep> found = findSteps(play(plan));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[1].reason.english(), "too short: 1 sample until the next change or the end");
+}
+
 TEST(FindSteps, OneWithAGapIsNotUsed) {
     Plan plan;
     plan.samples = 3000;
@@ -246,6 +255,19 @@ TEST(Study, ModelsTheProcessInAClosedLoop) {
         const double tolerance = noise > 0 ? 0.1 : 0.01;
         EXPECT_NEAR(model.gain, 1.5, 1.5 * tolerance) << formula(model);
         EXPECT_NEAR(model.deadTime + model.lagSum(), 10, 10 * tolerance) << formula(model);
+    }
+}
+
+TEST(Study, AnIntegratorInAClosedLoopIsNoEndlessLag) {
+    for (const double deadTime : {0.5, 2.0}) {
+        ProcessModel process = lags({}, deadTime, 0.3);
+        process.isIntegrating = true;
+        const auto result = study(closedLoop(process, 1 / (0.3 * 4 * deadTime), 12 * deadTime, 1e9, 0));
+        ASSERT_TRUE(result) << result.error().english();
+        const ProcessModel& model = result->models.front().model;
+        EXPECT_TRUE(model.isIntegrating) << formula(model);
+        EXPECT_NEAR(model.gain, 0.3, 0.003) << formula(model);
+        EXPECT_NEAR(model.deadTime + model.lagSum(), deadTime, 0.03 * deadTime) << formula(model);
     }
 }
 
