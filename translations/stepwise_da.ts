@@ -6445,8 +6445,8 @@
         <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
     </message>
     <message>
-        <source>A sticking valve or an external disturbance is the likely cause; the recording does not show which. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
-        <translation>Den sandsynlige årsag er en ventil, der hænger, eller en forstyrrelse udefra; optagelsen viser ikke hvilken. Skift regulatoren til manuel: Hører svingningen op, hænger ventilen; fortsætter den, kommer årsagen udefra.</translation>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>Den sandsynlige årsag er en ventil, der hænger, eller en forstyrrelse udefra; optagelsen kan ikke skelne mellem dem. Skift regulatoren til manuel: Hører svingningen op, hænger ventilen; fortsætter den, kommer årsagen udefra.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

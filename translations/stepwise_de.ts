@@ -6445,8 +6445,8 @@
         <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
     </message>
     <message>
-        <source>A sticking valve or an external disturbance is the likely cause; the recording does not show which. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
-        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil oder eine Störung von außen; die Aufzeichnung zeigt nicht, welche von beiden. Schalten Sie den Regler auf Hand: Hört die Schwingung auf, klemmt das Ventil; bleibt sie, kommt die Ursache von außen.</translation>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil oder eine Störung von außen; die Aufzeichnung lässt beides nicht unterscheiden. Schalten Sie den Regler auf Hand: Hört die Schwingung auf, klemmt das Ventil; bleibt sie, kommt die Ursache von außen.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

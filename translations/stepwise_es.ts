@@ -6445,8 +6445,8 @@
         <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
     </message>
     <message>
-        <source>A sticking valve or an external disturbance is the likely cause; the recording does not show which. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
-        <translation>La causa probable es una válvula que se atasca o una perturbación externa; la grabación no muestra cuál de las dos. Pase el regulador a manual: si la oscilación cesa, la válvula se atasca; si continúa, la causa es externa.</translation>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>La causa probable es una válvula que se atasca o una perturbación externa; la grabación no permite distinguirlas. Pase el regulador a manual: si la oscilación cesa, la válvula se atasca; si continúa, la causa es externa.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

@@ -6445,8 +6445,8 @@
         <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
     </message>
     <message>
-        <source>A sticking valve or an external disturbance is the likely cause; the recording does not show which. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
-        <translation>La cause probable est une vanne qui colle ou une perturbation externe&#xa0;; l’enregistrement ne montre pas laquelle. Passez le régulateur en manuel&#xa0;: si l’oscillation s’arrête, la vanne colle&#x202f;; si elle continue, la cause est externe.</translation>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>La cause probable est une vanne qui colle ou une perturbation externe&#xa0;; l’enregistrement ne permet pas de les distinguer. Passez le régulateur en manuel&#xa0;: si l’oscillation s’arrête, la vanne colle&#x202f;; si elle continue, la cause est externe.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

@@ -6443,8 +6443,8 @@
         <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
     </message>
     <message>
-        <source>A sticking valve or an external disturbance is the likely cause; the recording does not show which. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
-        <translation>原因可能是阀门卡涩或外部扰动；记录无法显示是哪一个。请将调节器切换到手动：若振荡停止，则阀门卡涩；若振荡继续，则原因在外部。</translation>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>原因可能是阀门卡涩或外部扰动；仅凭记录无法区分。请将调节器切换到手动：若振荡停止，则阀门卡涩；若振荡继续，则原因在外部。</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
