@@ -6436,8 +6436,8 @@
         <translation>udgangen bevæger sig kun {0} gange sin støj</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>for kort: {0} målinger til næste ændring</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>for kort: {0} {0:måling|målinger} til næste ændring eller slutningen</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
@@ -6646,6 +6646,14 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
+        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
+    </message>
+    <message>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>Den sandsynlige årsag er en ventil, der hænger, eller en forstyrrelse udefra; optagelsen kan ikke skelne mellem dem. Skift regulatoren til manuel: Hører svingningen op, hænger ventilen; fortsætter den, kommer årsagen udefra.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

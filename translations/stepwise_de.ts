@@ -6436,8 +6436,8 @@
         <translation>der Ausgang bewegt sich nur um das {0}-Fache seines Rauschens</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>zu kurz: {0} Messwerte bis zur nächsten Änderung</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>zu kurz: {0} {0:Messwert|Messwerte} bis zur nächsten Änderung oder zum Ende</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
@@ -6646,6 +6646,14 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
+    </message>
+    <message>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil oder eine Störung von außen; die Aufzeichnung lässt beides nicht unterscheiden. Schalten Sie den Regler auf Hand: Hört die Schwingung auf, klemmt das Ventil; bleibt sie, kommt die Ursache von außen.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

@@ -6436,8 +6436,8 @@
         <translation>la salida solo se mueve {0} veces su ruido</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>demasiado corto: {0} muestras hasta el cambio siguiente</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>demasiado corto: {0} {0:muestra|muestras} hasta el cambio siguiente o el final</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
@@ -6646,6 +6646,14 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
+        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
+    </message>
+    <message>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>La causa probable es una válvula que se atasca o una perturbación externa; la grabación no permite distinguirlas. Pase el regulador a manual: si la oscilación cesa, la válvula se atasca; si continúa, la causa es externa.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

@@ -6436,8 +6436,8 @@
         <translation>la sortie ne bouge que de {0} fois son bruit</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>trop court&#xa0;: {0} échantillons jusqu’au changement suivant</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>trop court&#xa0;: {0} {0:échantillon|échantillons} jusqu’au changement suivant ou jusqu’à la fin</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
@@ -6646,6 +6646,14 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
+        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
+    </message>
+    <message>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>La cause probable est une vanne qui colle ou une perturbation externe&#xa0;; l’enregistrement ne permet pas de les distinguer. Passez le régulateur en manuel&#xa0;: si l’oscillation s’arrête, la vanne colle&#x202f;; si elle continue, la cause est externe.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

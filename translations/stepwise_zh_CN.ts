@@ -6434,8 +6434,8 @@
         <translation>输出的变化仅为其噪声的 {0} 倍</translation>
     </message>
     <message>
-        <source>too short: {0} samples until the next change</source>
-        <translation>过短：到下一次变化只有 {0} 个采样</translation>
+        <source>too short: {0} {0:sample|samples} until the next change or the end</source>
+        <translation>过短：到下一次变化或记录结束只有 {0} 个采样</translation>
     </message>
     <message>
         <source>disturbed: no model explains more than {0} % of it</source>
@@ -6644,6 +6644,14 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>原因可能是参数设置：按模型，回路会以此周期振荡。</translation>
+    </message>
+    <message>
+        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
+        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
+    </message>
+    <message>
+        <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
+        <translation>原因可能是阀门卡涩或外部扰动；仅凭记录无法区分。请将调节器切换到手动：若振荡停止，则阀门卡涩；若振荡继续，则原因在外部。</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>

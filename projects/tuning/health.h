@@ -8,7 +8,7 @@
 
 namespace plc::tuning {
 
-enum class Cause : uint8_t { None, Tuning, Stiction, Outside };
+enum class Cause : uint8_t { None, Tuning, Stiction, Outside, StictionOrOutside };
 
 struct OscillationFinding {
     double period = 0;    // [s]

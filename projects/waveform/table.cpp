@@ -3,15 +3,15 @@
 #include "projects/waveform/codesys_trace.h"
 #include "projects/waveform/errors.h"
 #include "projects/waveform/table_parts.h"
+#include "projects/waveform/time_stamps.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -19,19 +19,6 @@
 namespace plc::waveform {
 
 namespace {
-
-/// "2026-03-01 06:00:00.250" or with a T, in seconds since 1970.
-double dateOf(const std::string& cell) {
-    int year = 0, month = 0, day = 0, hour = 0, minute = 0, used = 0;
-    if (std::sscanf(cell.c_str(), " %d-%d-%d%*[ T]%d:%d:%n", &year, &month, &day, &hour, &minute, &used) != 5 || !used)
-        return kNoNumber;
-    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
-                                           std::chrono::day(static_cast<unsigned>(day))};
-    const double seconds = numberOf(cell.substr(static_cast<size_t>(used)));
-    if (!date.ok() || std::isnan(seconds)) return kNoNumber;
-    const auto days = std::chrono::sys_days(date).time_since_epoch().count();
-    return static_cast<double>(days) * 86400 + hour * 3600 + minute * 60 + seconds;
-}
 
 /// "Level [m]" without its unit, which goes to `unit`.
 std::string nameOf(const std::string& cell, std::string& unit) {
@@ -42,53 +29,12 @@ std::string nameOf(const std::string& cell, std::string& unit) {
     return trimmed(text.substr(0, open));
 }
 
-/// The unit that a column of times is in [s]; none: not a column of times.
-std::optional<double> unitOfTime(const std::string& name) {
-    static const std::map<std::string, double> kKnown = {{"times", 1},
-                                                         {"time", 1},
-                                                         {"t", 1},
-                                                         {"ts", 1},
-                                                         {"seconds", 1},
-                                                         {"timestamp", 1},
-                                                         {"timems", 1e-3},
-                                                         {"tms", 1e-3},
-                                                         {"cycle", 1e-3},
-                                                         {"timestamps", 1},
-                                                         {"timestampms", 1e-3},
-                                                         {"milliseconds", 1e-3},
-                                                         {"timeus", 1e-6},
-                                                         {"tus", 1e-6},
-                                                         {"timestampus", 1e-6},
-                                                         {"timens", 1e-9},
-                                                         {"tns", 1e-9},
-                                                         {"timestampns", 1e-9},
-                                                         {"date", 1},
-                                                         {"datetime", 1},
-                                                         {"zeit", 1},
-                                                         {"zeits", 1},
-                                                         {"zeitms", 1e-3},
-                                                         {"zeitstempel", 1},
-                                                         {"zeitstempelms", 1e-3},
-                                                         {"zeitstempelus", 1e-6},
-                                                         {"horodatagems", 1e-3},
-                                                         {"horodatageus", 1e-6},
-                                                         {"temps", 1},
-                                                         {"tempss", 1},
-                                                         {"tempsms", 1e-3}};
-    std::string word = lowered(name);
-    for (const std::string_view micro : {"\xC2\xB5", "\xCE\xBC"}) // the sign, and the Greek letter
-        if (const size_t at = word.find(micro); at != std::string::npos) word.replace(at, micro.size(), "u");
-    std::erase_if(word, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-    // "0.Timestamp": the time of the first channel
-    word.erase(0, word.find_first_not_of("0123456789"));
-    const auto it = kKnown.find(word);
-    return it == kKnown.end() ? std::nullopt : std::optional(it->second);
-}
-
 struct Head {
     char separator = ',';
     std::vector<std::string> cells;
     std::vector<std::optional<double>> unitOf; // of the columns of times
+    std::vector<std::string> units;            // where a row below the headings has them
+    std::optional<size_t> dateCell;            // the day, where the time of day is in the next column
     size_t next = 0, line = 1;                 // where the first row starts, and its line
 };
 
@@ -158,6 +104,31 @@ bool readScopeHead(const std::string& text, Head& head) {
     return true;
 }
 
+/// Below the headings some tools write a row of units: words only, in each column that has a heading.
+void readUnits(const std::string& text, Head& head) {
+    std::vector<std::string> cells;
+    const size_t next = splitLine(text, head.next, head.separator, cells);
+    size_t words = 0;
+    for (size_t i = 0; i < cells.size(); ++i) {
+        if (!std::isnan(numberOf(cells[i]))) return;
+        words += !cells[i].empty() && lowered(cells[i]) != "true" && lowered(cells[i]) != "false";
+    }
+    const auto isBracket = [](char c) { return std::string_view("[]()").find(c) != std::string_view::npos; };
+    for (std::string& cell : cells) std::erase_if(cell, isBracket);
+    constexpr std::array kTimes = {"s", "sec", "ms", "us", "min", "h"};
+    const bool hasTime = std::any_of(cells.begin(), cells.end(), [&](const std::string& cell) {
+        const size_t i = static_cast<size_t>(&cell - cells.data());
+        return i < head.unitOf.size() && head.unitOf[i] &&
+               (cell.empty() || std::find(kTimes.begin(), kTimes.end(), lowered(cell)) != kTimes.end());
+    });
+    if (words == 0 || !hasTime) return;
+    for (size_t i = 0; i < std::min(cells.size(), head.unitOf.size()); ++i)
+        if (head.unitOf[i] && !cells[i].empty()) head.unitOf[i] = unitOfTime("time" + cells[i]);
+    head.units = std::move(cells);
+    head.next = next;
+    ++head.line;
+}
+
 /// The first of the leading lines with a column of times and one of something else.
 Result<Head> headOf(const std::string& text) {
     constexpr size_t kMostLines = 60;
@@ -175,7 +146,11 @@ Result<Head> headOf(const std::string& text) {
             head.unitOf.push_back(unitOfTime(cell));
             times += head.unitOf.back() ? 1 : 0;
         }
-        if (times > 0 && times < head.cells.size()) return head;
+        if (times == 0 || times == head.cells.size()) continue;
+        for (size_t i = 0; i + 1 < head.cells.size(); ++i)
+            if (times == 2 && isDateHeading(head.cells[i]) && isTimeOfDayHeading(head.cells[i + 1])) head.dateCell = i;
+        readUnits(text, head);
+        return head;
     }
     return Error{errors::CsvHasNoTime(), ""};
 }
@@ -209,6 +184,152 @@ struct Reading {
     double held = kNoNumber;
 };
 
+/// The rows below the headings, one after the other.
+class Rows {
+public:
+    Rows(const std::string& text, const Head& head);
+    [[nodiscard]] Result<Table> read();
+
+private:
+    /// False: the table has ended.
+    bool nextRow();
+    void makeColumns();
+    void makeTimes();
+    [[nodiscard]] double timeAt(size_t cell);
+    [[nodiscard]] Result<void> readRow();
+    [[nodiscard]] Result<void> addOwn(size_t column, double time, double value);
+    [[nodiscard]] Result<Table> finished();
+
+    const std::string& m_text;
+    const Head& m_head;
+    size_t m_at, m_line;
+    std::vector<std::string> m_cells;
+    size_t m_times = 0, m_timeCell = 0; // columns of times; the only one
+    std::vector<TimeStamps> m_stamps;   // of each column of times, by its cell
+    std::vector<Column> m_columns;
+    std::vector<Reading> m_readings;
+    std::vector<Samples> m_pairs; // where each column has times of its own
+    Table m_out;
+};
+
+Rows::Rows(const std::string& text, const Head& head)
+    : m_text(text), m_head(head), m_at(head.next), m_line(head.line - 1) {
+    makeColumns();
+    makeTimes();
+}
+
+void Rows::makeColumns() {
+    const auto isTime = [&](size_t i) { return m_head.unitOf[i] && m_head.dateCell != i; };
+    for (size_t i = m_head.cells.size(); i-- > 0;)
+        if (isTime(i)) ++m_times, m_timeCell = i;
+    size_t timeCell = m_timeCell;
+    for (size_t i = 0; i < m_head.cells.size(); ++i) {
+        if (isTime(i)) timeCell = i;
+        if (m_head.unitOf[i]) continue;
+        Column column;
+        column.name = nameOf(m_head.cells[i], column.unit);
+        if (column.name.empty()) continue; // the separator at the end of a line
+        if (column.unit.empty() && i < m_head.units.size()) column.unit = m_head.units[i];
+        m_columns.push_back(std::move(column));
+        m_readings.push_back({i, m_times > 1 ? timeCell : m_timeCell});
+    }
+    m_pairs.resize(m_columns.size());
+}
+
+/// The first rows say how the times are written.
+void Rows::makeTimes() {
+    constexpr size_t kRows = 5000;
+    std::vector<std::vector<std::string>> first(m_head.cells.size());
+    for (size_t row = 0; row < kRows && nextRow(); ++row)
+        for (size_t i = 0; i < std::min(first.size(), m_cells.size()); ++i)
+            if (m_head.unitOf[i] && !m_cells[i].empty()) first[i].push_back(m_cells[i]);
+    m_at = m_head.next;
+    m_line = m_head.line - 1;
+    for (size_t i = 0; i < m_head.cells.size(); ++i)
+        m_stamps.emplace_back(m_head.unitOf[i].value_or(1), isDateHeading(m_head.cells[i]), first[i]);
+}
+
+bool Rows::nextRow() {
+    while (m_at < m_text.size()) {
+        m_at = splitLine(m_text, m_at, m_head.separator, m_cells);
+        ++m_line;
+        if (m_cells.empty() || (m_cells.size() == 1 && m_cells[0].empty())) continue;
+        if (m_cells[0] == "EOF") return false;
+        if (m_head.dateCell && *m_head.dateCell + 1 < m_cells.size())
+            m_cells[*m_head.dateCell + 1] = m_cells[*m_head.dateCell] + " " + m_cells[*m_head.dateCell + 1];
+        return true;
+    }
+    return false;
+}
+
+double Rows::timeAt(size_t cell) { return cell < m_cells.size() ? m_stamps[cell].next(m_cells[cell]) : kNoNumber; }
+
+Result<void> Rows::addOwn(size_t column, double time, double value) {
+    if (std::isnan(time) || std::isnan(value)) return {};
+    Samples& pair = m_pairs[column];
+    if (pair.size() > 0 && time < pair.time.back()) return Error{errors::CsvTimeRunsBack(m_line), ""};
+    if (pair.size() > 0 && time == pair.time.back()) return {};
+    pair.time.push_back(time);
+    pair.value.push_back(value);
+    return {};
+}
+
+Result<void> Rows::readRow() {
+    const bool isOne = m_times == 1;
+    if (isOne) {
+        const double time = timeAt(m_timeCell);
+        if (std::isnan(time)) return Error{errors::CsvNotANumber(m_line, m_head.cells[m_timeCell]), ""};
+        if (!m_out.time.empty() && time < m_out.time.back()) return Error{errors::CsvTimeRunsBack(m_line), ""};
+        if (!m_out.time.empty() && time == m_out.time.back()) return {}; // written twice
+        m_out.time.push_back(time);
+    }
+    size_t timeCell = m_head.cells.size();
+    double own = kNoNumber; // read once for all columns that share it: after midnight it goes on
+    for (size_t c = 0; c < m_columns.size(); ++c) {
+        Reading& reading = m_readings[c];
+        const std::string cell = reading.cell < m_cells.size() ? m_cells[reading.cell] : std::string();
+        const double value = numberOf(cell);
+        if (!std::isnan(value)) {
+            reading.held = value;
+            reading.hasNumber = true;
+            const std::string word = lowered(trimmed(cell));
+            reading.onlyBool = reading.onlyBool && (word == "true" || word == "false");
+        }
+        if (isOne) {
+            m_columns[c].value.push_back(reading.held);
+            continue;
+        }
+        if (reading.timeCell != timeCell) timeCell = reading.timeCell, own = timeAt(timeCell);
+        if (auto added = addOwn(c, own, value); !added) return added.error();
+    }
+    return {};
+}
+
+Result<Table> Rows::finished() {
+    std::vector<std::string> withoutNumbers;
+    for (size_t c = m_columns.size(); c-- > 0;) { // words only: comments, names of states
+        m_columns[c].isBool = m_readings[c].onlyBool;
+        if (m_readings[c].hasNumber) continue;
+        withoutNumbers.push_back(m_columns[c].name);
+        m_columns.erase(m_columns.begin() + static_cast<std::ptrdiff_t>(c));
+        m_pairs.erase(m_pairs.begin() + static_cast<std::ptrdiff_t>(c));
+    }
+    if (m_times > 1)
+        m_out = merged(m_pairs, std::move(m_columns));
+    else
+        m_out.columns = std::move(m_columns);
+    m_out.withoutNumbers = std::move(withoutNumbers);
+    if (m_out.time.empty()) return Error{errors::CsvHasNoRows(), ""};
+    if (m_out.columns.empty()) return Error{errors::CsvHasNoValues(), ""};
+    return std::move(m_out);
+}
+
+Result<Table> Rows::read() {
+    while (nextRow())
+        if (auto row = readRow(); !row) return row.error();
+    return finished();
+}
+
 } // namespace
 
 Result<Table> parseTable(const std::string& text) {
@@ -217,79 +338,7 @@ Result<Table> parseTable(const std::string& text) {
     if (isCodesysTraceCsv(text)) return parseCodesysTraceCsv(text);
     const auto head = headOf(text);
     if (!head) return head.error();
-    std::vector<Column> columns;
-    std::vector<Reading> readings;
-    size_t timeCell = 0, times = 0;
-    for (size_t i = 0; i < head->cells.size(); ++i)
-        if (head->unitOf[i] && times++ == 0) timeCell = i;
-    for (size_t i = 0; i < head->cells.size(); ++i) {
-        if (head->unitOf[i]) {
-            if (times > 1) timeCell = i;
-            continue;
-        }
-        Column column;
-        column.name = nameOf(head->cells[i], column.unit);
-        if (column.name.empty()) continue; // the separator at the end of a line
-        columns.push_back(std::move(column));
-        readings.push_back({i, timeCell});
-    }
-    Table out;
-    std::vector<Samples> pairs(columns.size());
-    std::vector<std::string> cells;
-    size_t at = head->next;
-    for (size_t line = head->line; at < text.size(); ++line) {
-        at = splitLine(text, at, head->separator, cells);
-        if (cells.empty() || (cells.size() == 1 && cells[0].empty())) continue;
-        if (cells[0] == "EOF") break;
-        const auto timeAt = [&](size_t cell) {
-            if (cell >= cells.size()) return kNoNumber;
-            const double number = dateOf(cells[cell]);
-            return std::isnan(number) ? numberOf(cells[cell]) * *head->unitOf[cell] : number;
-        };
-        const double time = times > 1 ? 0 : timeAt(timeCell);
-        if (std::isnan(time)) return Error{errors::CsvNotANumber(line, head->cells[timeCell]), ""};
-        if (times == 1 && !out.time.empty()) {
-            if (time < out.time.back()) return Error{errors::CsvTimeRunsBack(line), ""};
-            if (time == out.time.back()) continue; // written twice
-        }
-        if (times == 1) out.time.push_back(time);
-        for (size_t c = 0; c < columns.size(); ++c) {
-            Reading& reading = readings[c];
-            const std::string cell = reading.cell < cells.size() ? cells[reading.cell] : std::string();
-            const double value = numberOf(cell);
-            if (!std::isnan(value)) {
-                reading.held = value;
-                reading.hasNumber = true;
-                const std::string word = lowered(trimmed(cell));
-                reading.onlyBool = reading.onlyBool && (word == "true" || word == "false");
-            }
-            if (times == 1) {
-                columns[c].value.push_back(reading.held);
-            } else if (const double own = timeAt(reading.timeCell); !std::isnan(own) && !std::isnan(value)) {
-                Samples& pair = pairs[c];
-                if (pair.size() > 0 && own < pair.time.back()) return Error{errors::CsvTimeRunsBack(line), ""};
-                if (pair.size() > 0 && own == pair.time.back()) continue;
-                pair.time.push_back(own);
-                pair.value.push_back(value);
-            }
-        }
-    }
-    for (size_t c = columns.size(); c-- > 0;) { // words only: comments, names of states
-        columns[c].isBool = readings[c].onlyBool;
-        if (readings[c].hasNumber) continue;
-        out.withoutNumbers.push_back(columns[c].name);
-        columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(c));
-        pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(c));
-    }
-    if (times > 1) {
-        std::vector<std::string> withoutNumbers = std::move(out.withoutNumbers);
-        out = merged(pairs, std::move(columns));
-        out.withoutNumbers = std::move(withoutNumbers);
-    } else
-        out.columns = std::move(columns);
-    if (out.time.empty()) return Error{errors::CsvHasNoRows(), ""};
-    if (out.columns.empty()) return Error{errors::CsvHasNoValues(), ""};
-    return out;
+    return Rows(text, *head).read();
 }
 
 Result<Table> readTable(const std::string& path) {

@@ -5,6 +5,7 @@
 #include "editor/kit/theme.h"
 #include "editor/plot/figure_view.h"
 #include "editor/tuning/tuning_view.h"
+#include "projects/loops/loops.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/settle.h"
 
@@ -365,6 +366,52 @@ TEST_F(TuningDockWithConstants, AreWrittenInTheTextWithAnOnlineChangeAndTakenBac
     click("tuningBack");
     ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") == 900 && value("Main.Kp") == 1.5; }, 30'000));
     EXPECT_EQ(source(), before);
+}
+
+/// Gain and integral time are constants: an online change writes them.
+class TuningDockWithGainConstant : public TuningDock {
+    QByteArray program() const override {
+        QByteArray text = kLoop;
+        text.replace("i_rKp := Kp, i_rTn := Tn", "i_rKp := 1.5, i_rTn := 900.0");
+        return text.replace("MOD 2) * 10.0;", "MOD 2) * 10.0 + 10.0;"); // at rest the output is 5 or 10, never 0
+    }
+
+protected:
+    /// By how much the controller's output moves in the scan in which a pin changes.
+    double bumpAt(const char* pin, history::Position& from) {
+        const session::Session& session = *control().session();
+        const auto at = [&](const char* path, history::Position position) {
+            return loops::numberAt(*session.program(), session.history().seek(position), path).value_or(1e9);
+        };
+        const auto expression = session.expression(pin);
+        EXPECT_TRUE(expression);
+        const auto changed = session.history().findChange(*expression, session.recompile(pin), from,
+                                                          history::History::Direction::Forward);
+        EXPECT_TRUE(changed) << pin;
+        if (!changed) return 1e9;
+        from = *changed;
+        return std::abs(at("Main.pid.q_rPidOput", *changed) - at("Main.pid.q_rPidOput", *changed - 1));
+    }
+};
+
+TEST_F(TuningDockWithGainConstant, TheOutputGoesOnWhereItIs) {
+    findSteps();
+    const double gain = value("Main.pid.i_rKp");
+    control().setMode({session::Pace::Real, 1.0}); // as a plant runs: what is seen on the screen is hardly older
+    control().start();
+    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
+    click("tuningWrite");
+    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rKp") != gain; }, 30'000));
+    control().pause();
+    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
+    history::Position from = control().session()->history().statistics().first;
+    const double bump = bumpAt("Main.pid.i_rKp", from);
+    history::Position same = control().session()->history().statistics().first;
+    bumpAt("Main.pid.i_rTn", same);
+    EXPECT_EQ(from, same); // both in one scan
+    EXPECT_GT(std::abs(value("Main.pid.i_rKp") / gain - 1),
+              0.2); // with the integral part as it was, it would jump by 1
+    EXPECT_LT(bump, 0.3);
 }
 
 TEST_F(TuningDockWithConstants, OneUndoTakesTheTextBack) {

@@ -13,8 +13,9 @@ namespace {
 using tuning::numberText;
 using Json = nlohmann::ordered_json;
 
+/// A long one is set off from the next column all the same.
 std::string padded(std::string text, size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
+    text.resize(std::max(width, text.size() + 1), ' ');
     return text;
 }
 

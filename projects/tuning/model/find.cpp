@@ -136,27 +136,35 @@ std::vector<double> blockMeans(const std::vector<double>& values, size_t begin, 
     return out;
 }
 
+/// Until where a signal moves, as a share of the samples after the step. Small blocks show it best; where noise hides
+/// the movement in them, longer ones are looked at.
+double lastMove(const std::vector<double>& values, const FoundStep& step, double noise) {
+    const size_t length = step.end - step.step;
+    for (const size_t blocks : {200U, 50U, 20U}) {
+        const std::vector<double> means = blockMeans(values, step.step, step.end, blocks);
+        const double rest = meanOf(means, means.size() * 9 / 10, means.size());
+        double greatest = 0;
+        for (const double mean : means) greatest = std::max(greatest, std::abs(mean - rest));
+        const double perBlock = noise / std::sqrt(static_cast<double>(length) / static_cast<double>(blocks));
+        constexpr double kClear = 6, kMoved = 4; // deviations of a block's mean
+        const double tolerance = std::max(0.01 * greatest, kMoved * perBlock);
+        if (greatest < kClear * perBlock) continue;
+        for (size_t i = means.size(); i > 0; --i)
+            if (std::abs(means[i - 1] - rest) > tolerance)
+                return static_cast<double>(i + 1) / static_cast<double>(means.size());
+    }
+    return 0;
+}
+
 /// Cuts off what comes after everything has come to rest; twice, for the first look is coarse.
 void cutRest(const Context& context, FoundStep& step) {
     for (int pass = 0; pass < 3; ++pass) {
         const size_t length = step.end - step.step;
         if (length < 200) return;
-        constexpr size_t kBlocks = 200;
-        const auto lastMove = [&](const std::vector<double>& values, double noise) {
-            const std::vector<double> means = blockMeans(values, step.step, step.end, kBlocks);
-            const double rest = meanOf(means, means.size() * 9 / 10, means.size());
-            double greatest = 0;
-            for (const double mean : means) greatest = std::max(greatest, std::abs(mean - rest));
-            const double perBlock = noise / std::sqrt(static_cast<double>(length) / kBlocks);
-            const double tolerance = std::max(0.01 * greatest, 4 * perBlock);
-            for (size_t i = means.size(); i > 0; --i)
-                if (std::abs(means[i - 1] - rest) > tolerance) return i;
-            return size_t{0};
-        };
-        const size_t last =
-            std::max(lastMove(context.series.output, context.noise),
-                     step.moved == Moved::SetPoint ? lastMove(context.series.input, noiseOf(context.series.input)) : 0);
-        const size_t wanted = std::max<size_t>(length * (last + 1) / kBlocks * 16 / 10, 60);
+        double last = lastMove(context.series.output, step, context.noise);
+        if (step.moved == Moved::SetPoint)
+            last = std::max(last, lastMove(context.series.input, step, noiseOf(context.series.input)));
+        const size_t wanted = std::max<size_t>(static_cast<size_t>(static_cast<double>(length) * last * 1.6), 60);
         if (wanted * 10 > length * 9) return;
         step.end = step.step + std::max(wanted, step.settled - step.step + 30);
         if (step.end - step.step >= length) {
@@ -219,17 +227,35 @@ bool isPutToLimit(const LoopSeries& series, const FoundStep& step) {
            ((series.low && step.to <= *series.low) || (series.high && step.to >= *series.high));
 }
 
+/// The greatest movement of the output, and what noise alone would make of it.
+struct Answer {
+    double change = 0, deviation = 0;
+};
+
+/// In blocks of the length in which it stands out most from the noise: a small step is seen in a long mean.
+Answer answerOf(const Context& context, const FoundStep& step, double before) {
+    const size_t after = step.end - step.step;
+    const double ofBefore = 1 / static_cast<double>(std::max<size_t>(step.step - step.begin, 1));
+    Answer out;
+    for (const size_t most : {60U, 15U, 4U}) {
+        const size_t blocks = std::min(after, size_t{most});
+        Answer found;
+        for (const double mean : blockMeans(context.series.output, step.step, step.end, blocks))
+            found.change = std::max(found.change, std::abs(mean - before));
+        const double ofBlock = static_cast<double>(blocks) / static_cast<double>(after);
+        found.deviation = context.noise * std::sqrt(ofBlock + (most < 60 ? ofBefore : 0));
+        if (out.change == 0 || found.change * out.deviation > out.change * found.deviation) out = found;
+    }
+    return out;
+}
+
 void judge(const Context& context, FoundStep& step) {
     const LoopSeries& series = context.series;
     const size_t after = step.end - step.step;
     const double before = meanOf(series.output, step.begin, std::max(step.step, step.begin + 1));
-    const size_t blocks = std::min<size_t>(after, 60);
-    double change = 0;
-    for (const double mean : blockMeans(series.output, step.step, step.end, blocks))
-        change = std::max(change, std::abs(mean - before));
-    step.outputChange = change;
-    const double perBlock = context.noise / std::sqrt(static_cast<double>(after) / static_cast<double>(blocks));
-    step.signalToNoise = context.noise > 0 ? change / context.noise : change > 0 ? 1e6 : 0;
+    const Answer answer = answerOf(context, step, before);
+    step.outputChange = answer.change;
+    step.signalToNoise = context.noise > 0 ? answer.change / context.noise : answer.change > 0 ? 1e6 : 0;
     const auto say = [&](Verdict verdict, Message reason) {
         step.verdict = verdict;
         step.reason = std::move(reason);
@@ -242,13 +268,13 @@ void judge(const Context& context, FoundStep& step) {
         return say(Verdict::Saturated, errors::StepSaturated(share));
     if (const size_t share = cutOff(context, step); share > 0)
         return say(Verdict::Saturated, errors::StepCutOff(share));
-    if (change <= std::max(6 * perBlock, 0.5 * context.noise) || change <= 0)
+    if (answer.change <= std::max(5 * answer.deviation, 0.5 * context.noise) || answer.change <= 0)
         return say(Verdict::Noisy, errors::StepNoisy(std::round(step.signalToNoise * 10) / 10));
     // at rest: the two halves of what was before agree
     const size_t half = step.begin + (step.step - step.begin) / 2;
     const double drift = std::abs(meanOf(series.output, step.begin, half) - meanOf(series.output, half, step.step));
     const double ofHalf = context.noise / std::sqrt(static_cast<double>(std::max<size_t>(half - step.begin, 1)));
-    step.startsAtRest = half > step.begin && drift <= std::max(0.001 * change, 4 * ofHalf);
+    step.startsAtRest = half > step.begin && drift <= std::max(0.001 * answer.change, 4 * ofHalf);
     say(Verdict::Usable, !step.startsAtRest           ? errors::StepNotAtRest()
                          : isPutToLimit(series, step) ? errors::StepAtLimit()
                                                       : errors::StepUsable());
@@ -368,6 +394,10 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
         step.begin = std::max(floor, step.step > wanted ? step.step - wanted : 0);
         step.begin = std::min(step.begin, step.step);
         judge(context, step);
+        if (const size_t longer = (step.end - step.step) / 2; step.verdict == Verdict::Noisy && longer > wanted) {
+            step.begin = std::max(floor, step.step - std::min(step.step, longer)); // a longer mean has less noise
+            judge(context, step);
+        }
         // the change before may still be at work where it left little time
         if (i > 0 && (step.step - floor) * 4 < step.end - step.step && step.isUsable()) {
             step.startsAtRest = false;

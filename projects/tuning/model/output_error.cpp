@@ -309,10 +309,13 @@ std::vector<Excerpt> thinned(const std::vector<Excerpt>& excerpts, size_t most) 
     return out;
 }
 
-/// What has become nothing, or cancels, belongs to a simpler structure.
-bool isDegenerate(const ProcessModel& model, double least, const Shape& shape) {
+/// What has become nothing, or cancels, or of which only the start was recorded (an integrator, as far as anybody can
+/// say) belongs to a simpler structure.
+bool isDegenerate(const ProcessModel& model, double least, double longest, const Shape& shape) {
+    constexpr double kTooLong = 25; // times the recording
     for (const double lag : model.lags)
-        if (lag < least || (shape.hasZero && std::abs(model.zero - lag) < 1e-2 * lag)) return true;
+        if (lag < least || lag > kTooLong * longest || (shape.hasZero && std::abs(model.zero - lag) < 1e-2 * lag))
+            return true;
     // above damping 1 it is two lags
     if (const auto& o = model.oscillation; o && (1 / o->frequency < least || o->damping > 1)) return true;
     if (shape.hasZero && std::abs(model.zero) < least) return true;
@@ -335,7 +338,10 @@ std::optional<OutputErrorFit> fitOutputError(const std::vector<Excerpt>& excerpt
     fit.model = problem.solved(*at).first;
     fit.parameters = static_cast<size_t>(problem.inputs()) + 1 + (shape.hasZero ? 1 : 0);
     const double least = excerpts.front().interval * 0.02;
-    if (isDegenerate(fit.model, least, shape)) return std::nullopt;
+    double longest = 0;
+    for (const Excerpt& excerpt : excerpts)
+        longest = std::max(longest, excerpt.interval * static_cast<double>(excerpt.output.size()));
+    if (isDegenerate(fit.model, least, longest, shape)) return std::nullopt;
     if (!std::isfinite(fit.model.gain) || fit.model.gain == 0) return std::nullopt;
     fit.simulated = simulate(fit.model, excerpts);
     return fit;

@@ -19,6 +19,14 @@ void dropUnknown(LoopSeries& series) {
         column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(std::min(first, column->size())));
 }
 
+/// A date is no time to read a step at: from the first sample on.
+void sinceStart(LoopSeries& series) {
+    constexpr double kDate = 1e8; // seconds since 1970; no recording is as long
+    if (series.time.empty() || series.time.front() < kDate) return;
+    const double start = series.time.front();
+    for (double& time : series.time) time -= start;
+}
+
 Result<LoopSeries> seriesOf(const waveform::Table& table, const CsvColumns& columns) {
     LoopSeries series;
     series.time = table.time;
@@ -31,6 +39,7 @@ Result<LoopSeries> seriesOf(const waveform::Table& table, const CsvColumns& colu
         series.*target = table.columns[*column].value;
     }
     dropUnknown(series);
+    sinceStart(series);
     if (auto checked = checkSeries(series); !checked) return checked.error();
     const auto [low, high] = std::minmax_element(series.input.begin(), series.input.end());
     if (*low < *high && series.input == series.output) return Error{errors::SameSamples(), ""};

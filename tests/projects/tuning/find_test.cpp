@@ -65,6 +65,45 @@ TEST(FindSteps, OfADayNinetyFivePerCentAreFoundAndLessThanFiveAreFalse) {
     }
 }
 
+namespace {
+
+/// Of the steps in a day's recording, how many per cent are usable; each moves the output by so many times its noise.
+double usableOf(double timesNoise, double drift, unsigned seed, double answer = 1) {
+    Plan plan;
+    plan.samples = 86'400;
+    plan.noise = 0.2;
+    plan.drift = drift;
+    plan.seed = seed;
+    const double height = timesNoise * plan.noise / plan.process.gain;
+    plan.process.gain *= answer;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> wait(300, 1800);
+    double level = 0;
+    for (double at = 600; at < 85'000; at += wait(random)) {
+        level += random() % 2 ? height : -height;
+        plan.inputs.emplace_back(static_cast<size_t>(at), level);
+    }
+    const std::vector<FoundStep> found = findSteps(play(plan));
+    const auto usable = std::count_if(found.begin(), found.end(), [](const auto& step) { return step.isUsable(); });
+    EXPECT_EQ(found.size(), plan.inputs.size());
+    return 100.0 * static_cast<double>(usable) / static_cast<double>(plan.inputs.size());
+}
+
+} // namespace
+
+TEST(FindSteps, StepsOfFourTimesTheNoiseAreUsable) {
+    for (const unsigned seed : {101U, 102U})
+        for (const double drift : {0.0, 0.4}) {
+            EXPECT_GE(usableOf(4, drift, seed), 95) << seed << " " << drift;
+            EXPECT_GE(usableOf(3, drift, seed), 90) << seed << " " << drift;
+        }
+}
+
+TEST(FindSteps, WhatTheProcessDoesNotAnswerIsNotUsable) {
+    for (const unsigned seed : {101U, 102U})
+        for (const double drift : {0.0, 0.4}) EXPECT_LT(usableOf(4, drift, seed, 1e-6), 5) << seed << " " << drift;
+}
+
 TEST(FindSteps, ADayOfNoiseAloneHasNone) {
     Plan plan;
     plan.samples = 86'400;
@@ -156,6 +195,15 @@ TEST(FindSteps, SaysWhyOneIsNotUsable) {
     EXPECT_FALSE(found[3].startsAtRest);
 }
 
+TEST(FindSteps, OneAtTheVeryEndIsTooShort) {
+    Plan plan;
+    plan.samples = 1001;
+    plan.inputs = {{200, 4}, {1000, 0}};
+    const std::vector<FoundStep> found = findSteps(play(plan));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[1].reason.english(), "too short: 1 sample until the next change or the end");
+}
+
 TEST(FindSteps, OneWithAGapIsNotUsed) {
     Plan plan;
     plan.samples = 3000;
@@ -207,6 +255,19 @@ TEST(Study, ModelsTheProcessInAClosedLoop) {
         const double tolerance = noise > 0 ? 0.1 : 0.01;
         EXPECT_NEAR(model.gain, 1.5, 1.5 * tolerance) << formula(model);
         EXPECT_NEAR(model.deadTime + model.lagSum(), 10, 10 * tolerance) << formula(model);
+    }
+}
+
+TEST(Study, AnIntegratorInAClosedLoopIsNoEndlessLag) {
+    for (const double deadTime : {0.5, 2.0}) {
+        ProcessModel process = lags({}, deadTime, 0.3);
+        process.isIntegrating = true;
+        const auto result = study(closedLoop(process, 1 / (0.3 * 4 * deadTime), 12 * deadTime, 1e9, 0));
+        ASSERT_TRUE(result) << result.error().english();
+        const ProcessModel& model = result->models.front().model;
+        EXPECT_TRUE(model.isIntegrating) << formula(model);
+        EXPECT_NEAR(model.gain, 0.3, 0.003) << formula(model);
+        EXPECT_NEAR(model.deadTime + model.lagSum(), deadTime, 0.03 * deadTime) << formula(model);
     }
 }
 
@@ -267,6 +328,15 @@ TEST(Csv, ReadsWhatOtherToolsWrite) {
     EXPECT_DOUBLE_EQ(series->time[1], 0.1);
     EXPECT_DOUBLE_EQ(series->input[15], 1.5);
     EXPECT_DOUBLE_EQ(series->output[3], 1.25);
+}
+
+TEST(Csv, DatesCountFromTheFirstSample) {
+    std::string text = "timestamp,u,y\n";
+    for (int i = 0; i < 30; ++i) text += std::to_string(1774742280000 + i * 250) + ",1," + std::to_string(i) + "\n";
+    const auto series = parseCsv(text, {"u", "y", ""});
+    ASSERT_TRUE(series) << series.error().english();
+    EXPECT_NEAR(series->time[0], 0, 1e-6);
+    EXPECT_NEAR(series->time[29], 7.25, 1e-6);
 }
 
 TEST(Csv, RowsBeforeTheFirstValueAreLeftOut) {

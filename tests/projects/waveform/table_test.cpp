@@ -269,3 +269,60 @@ TEST(Table, AColumnThatCannotBeMeantSaysWhy) {
         EXPECT_EQ(empty.error().message.english(), "The file is empty; export the table again");
     }
 }
+
+namespace {
+
+/// The distance of the first two rows, and the first value of the last column.
+void expectRead(const std::string& text, double step, double value) {
+    const auto table = parseTable(text);
+    ASSERT_TRUE(table) << text << table.error().message.english();
+    ASSERT_GE(table->time.size(), 2U) << text;
+    EXPECT_NEAR(table->time[1] - table->time[0], step, 1e-5) << text;
+    EXPECT_DOUBLE_EQ(table->columns.back().value[0], value) << text;
+}
+
+} // namespace
+
+TEST(Table, TimesAsOtherToolsWriteThem) {
+    // a spreadsheet and a panel set to German
+    expectRead("\xEF\xBB\xBF"
+               "Datum/Uhrzeit;Istwert\r\n29.03.2026 01:59:59,500;1,5\r\n29.03.2026 02:00:00,250;2\r\n",
+               0.75, 1.5);
+    expectRead("Datum;Uhrzeit;Istwert\n1.3.2026;23:59:59;1,5\n2.3.2026;00:00:01;2\n", 2, 1.5);
+    // over the change to summer time the zone says how long it took
+    expectRead("timestamp,pv\n2026-03-29T01:59:59+01:00,5\n2026-03-29T03:00:00+02:00,6\n", 1, 5);
+    expectRead("Time,pv\n2026-03-29T01:59:59.900Z,5\n2026-03-29T02:00:00.150Z,6\n", 0.25, 5);
+    // since 1970
+    expectRead("epoch_ms,pv\n1774742280000,5\n1774742280500,6\n", 0.5, 5);
+    expectRead("timestamp,pv\n1774742280000,5\n1774742280500,6\n", 0.5, 5);
+    expectRead("time,pv\n1774742280000000000,5\n1774742280500000000,6\n", 0.5, 5);
+    expectRead("ms\tPV\n0\t5\n500\t6\n", 0.5, 5);
+    // a historian in the United States; the day is what no month can be, or what runs
+    expectRead("Date Time,pv\n03/29/2026 11:59:59.5 AM,5\n03/29/2026 12:00:00.0 PM,6\n", 0.5, 5);
+    expectRead("Date Time,pv\n29/03/2026 11:59:59,5\n29/03/2026 12:00:00,6\n", 1, 5);
+    expectRead("Date Time,pv\n03/04/2026 00:00:00,5\n04/04/2026 00:00:00,6\n", 86'400, 5);
+    expectRead("Date Time,pv\n03/04/2026 00:00:00,5\n03/05/2026 00:00:00,6\n", 86'400, 5);
+    // the time of day alone goes on at midnight
+    expectRead("time,pv\n23:59:59.5,5\n00:00:00.25,6\n", 0.75, 5);
+    expectRead("time,pv\n12:30,5\n12:31,6\n", 60, 5);
+    // days of a spreadsheet
+    expectRead("Date,pv\n46110.0,5\n46110.00001157407,6\n", 1, 5);
+}
+
+TEST(Table, ARowOfUnitsBelowTheHeadings) {
+    const Table table = read("\"Time\",\"PV\",\"OP\"\n\"ms\",\"m3/h\",\"%\"\n\"0\",\"1\",\"2\"\n\"500\",\"1\",\"2\"\n");
+    expectTimes(table, {0, 0.5});
+    EXPECT_EQ(table.columns[0].unit, "m3/h");
+    EXPECT_EQ(table.columns[1].unit, "%");
+    const auto wrong = parseTable("time,state,pv\nlater,idle,off\n1,busy,2\n"); // no units
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().message.english().find("Line 2"), std::string::npos);
+}
+
+TEST(Table, ATimeThatIsNoneIsSaid) {
+    for (const char* cell : {"25:99:00", "12:3x:00", "31.02.2026 12:00:00", "2026-13-01 00:00:00", "1.2.2026 noon"}) {
+        const auto table = parseTable(std::string("time,pv\n") + cell + ",5\n");
+        ASSERT_FALSE(table) << cell;
+        EXPECT_NE(table.error().message.english().find("Line 2"), std::string::npos) << cell;
+    }
+}
