@@ -80,8 +80,8 @@
         <translation>Porte under 1024 kræver særlige rettigheder; brug en port som 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>En kanal på en MQTT-enhed kræver et ”topic”</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>En kanal på en MQTT-enhed kræver et ”topic”, for eksempel ”plant/level”</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -236,8 +236,8 @@
         <translation>brokeren afviser forbindelsen: {0}; kontroller bruger og adgangskode</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>indgangen {0} fra enheden {1} gik tabt</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>indgangen {0} fra enheden {1} gik tabt; kontroller enheden og dens kabel</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -307,10 +307,6 @@
         <translation>Strengen er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
     </message>
     <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Dette er ikke gyldig UTF-8; gem filen som UTF-8</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>{0} forventes før {1}</translation>
     </message>
@@ -339,8 +335,8 @@
         <translation>Decimaltal bruger punktum; skriv {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
+        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT; erklær den der, eller skriv begge grænser</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -647,10 +643,6 @@
         <translation>Ingen transition fører til trin {0}; det kan aldrig blive aktivt: tilføj en TRANSITION til det</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} er ikke en aktionskvalifikator; brug N, R, S, L, D, P, SD, DS eller SL</translation>
-    </message>
-    <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
         <translation>Der er ingen aktion eller BOOL-variabel {0}; tilføj en ACTION, eller erklær variablen</translation>
     </message>
@@ -900,12 +892,12 @@
         <translation>scannet blev afbrudt</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>intet udtryk</translation>
+        <source>there is no expression; enter one</source>
+        <translation>der er intet udtryk; indtast et</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>ikke i dette programs hukommelsesbillede</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>findes ikke i programmet til dette scan; vælg et senere scan</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1216,12 +1208,12 @@
         <translation>dette kan ikke beregnes; brug variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>Kodegeneratoren fejlede: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Kodegeneratoren fejlede, en fejl i Stepwise: {0}; rapporter den sammen med programmet</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>Kodegeneratoren dannede et ugyldigt modul: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Kodegeneratoren dannede et ugyldigt modul, en fejl i Stepwise: {0}; rapporter den sammen med programmet</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1832,8 +1824,8 @@
         <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk; vælg en anden blok, eller kald den i teksten.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -3184,10 +3176,6 @@
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>Diagrammet i {0} blev ikke læst: et udtryk henviser til sig selv uden ende; skriv dets krop i ST</translation>
-    </message>
-    <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>En betingelse i {0} kalder en blok, hvilket ikke er muligt i en betingelse; kald blokken før, og brug dens udgang</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -4849,10 +4837,6 @@
         <translation>Sensor</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Lampe</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirene</translation>
     </message>
@@ -5211,10 +5195,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Skift tema</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Lampesymbol</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6096,6 @@
         <translation>{0} er ikke adressen på en styring; skriv for eksempel https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} kan ikke nås: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} afviser forbindelsen: {1}</translation>
     </message>
@@ -6158,10 +6134,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} bruger TLS på denne port; brug adressen {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>{0} kan ikke nås via TLS: {1}; start styringen dér med --certificate, eller brug en http-adresse på samme computer</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6441,10 +6413,6 @@
         <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
-    </message>
-    <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>Den sandsynlige årsag kommer udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
     </message>
@@ -6658,7 +6626,7 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>sløjfe nu</translation>
+        <translation>nuværende sløjfe</translation>
     </message>
     <message>
         <source>loop, {0}</source>
@@ -8411,6 +8379,82 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 indretter vinduet til at tegne paneler</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Luk andre dokumenter</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Fold blokken sammen eller ud</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Fold alt sammen eller ud</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Forrige gennemløb af løkken</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Næste gennemløb af løkken</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Genvejsmenu</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Kolonner…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Flyt vinduet til næste side</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Frigør eller fastgør igen</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Næste rude</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Forrige rude</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Gør ruden bredere</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Gør ruden smallere</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Gør ruden højere</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Gør ruden lavere</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Flyt dokumentet til venstre</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Flyt dokumentet til højre</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Vis værktøjstip ved markøren</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Der er ingen kolonner her; gå først til en tabel eller en liste med kolonner</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8465,6 +8509,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Docks</source>
         <translation>Vinduer</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Foldning</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Ruder</translation>
     </message>
 </context>
 <context>
@@ -10290,6 +10342,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Function Block Here</source>
         <translation>Funktionsblok her</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Flyt kontakten til venstre; med pil højre, til højre</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Vælg en kontakt; et netværk flyttes op og ned</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -10863,7 +10923,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>loop now</source>
-        <translation>sløjfen nu</translation>
+        <translation>nuværende sløjfe</translation>
     </message>
     <message>
         <source>loop as proposed</source>
@@ -11893,6 +11953,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 er allerede i recepten; vælg en anden variabel.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Vælg en celle i det sæt, der skal omdøbes.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12062,6 +12126,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>Tabellen har allerede&#xa0;%1; vælg et andet sprog</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Fjern sproget</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Vælg en celle i det sprog, der skal fjernes.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>En teksttabel beholder ét sprog; tilføj først et andet.</translation>
     </message>
 </context>
 <context>
@@ -13196,6 +13272,41 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>No</source>
         <translation>Nej</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Kolonne %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Tilpas til indholdet</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Bredere</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Smallere</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Flyt til venstre</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Flyt til højre</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Sorter stigende</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Sorter faldende</translation>
     </message>
 </context>
 </TS>

@@ -80,8 +80,8 @@
         <translation>Ports unter 1024 erfordern besondere Rechte; verwenden Sie einen Port wie 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Ein Kanal eines MQTT-Geräts braucht ein „topic“</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>Ein Kanal eines MQTT-Geräts braucht ein „topic“, zum Beispiel „plant/level“</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -236,8 +236,8 @@
         <translation>der Broker lehnt die Verbindung ab: {0}; prüfen Sie Benutzer und Passwort</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>der Eingang {0} des Geräts {1} ist ausgefallen</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>der Eingang {0} des Geräts {1} ist ausgefallen; prüfen Sie das Gerät und sein Kabel</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -307,10 +307,6 @@
         <translation>Zeichenkette nicht abgeschlossen; schließendes Anführungszeichen ergänzen</translation>
     </message>
     <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Das ist kein gültiges UTF-8; die Datei als UTF-8 speichern</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>{0} wird vor {1} erwartet</translation>
     </message>
@@ -339,8 +335,8 @@
         <translation>In Dezimalzahlen wird ein Punkt verwendet; {0} schreiben</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
+        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt; dort deklarieren oder beide Grenzen angeben</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -647,10 +643,6 @@
         <translation>Zu Schritt {0} führt keine Transition; er kann nie aktiv werden: eine TRANSITION zu ihm hinzufügen</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} ist kein Bestimmungszeichen; N, R, S, L, D, P, SD, DS oder SL verwenden</translation>
-    </message>
-    <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
         <translation>Es gibt keine Aktion oder BOOL-Variable {0}; eine ACTION hinzufügen oder die Variable deklarieren</translation>
     </message>
@@ -900,12 +892,12 @@
         <translation>der Zyklus wurde abgebrochen</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>kein Ausdruck</translation>
+        <source>there is no expression; enter one</source>
+        <translation>es gibt keinen Ausdruck; geben Sie einen ein</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>im Speicherabbild dieses Programms nicht vorhanden</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>im Programm dieses Zyklus nicht vorhanden; wählen Sie einen späteren Zyklus</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1216,12 +1208,12 @@
         <translation>das kann nicht ausgewertet werden; verwenden Sie Variablen, Operatoren und Standardfunktionen</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>Der Codegenerator ist fehlgeschlagen: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Der Codegenerator ist fehlgeschlagen, ein Fehler in Stepwise: {0}; melden Sie ihn mit dem Programm</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>Der Codegenerator hat ein ungültiges Modul erzeugt: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Der Codegenerator hat ein ungültiges Modul erzeugt, ein Fehler in Stepwise: {0}; melden Sie ihn mit dem Programm</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1832,8 +1824,8 @@
         <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit der Baustein Teil eines Netzwerks sein kann.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit der Baustein Teil eines Netzwerks sein kann; wählen Sie einen anderen, oder rufen Sie ihn im Text auf.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -2844,7 +2836,7 @@
     </message>
     <message>
         <source>Packing robot with camera inspection</source>
-        <translation>Roboter packt Kartons</translation>
+        <translation>Packroboter mit Kameraprüfung</translation>
     </message>
     <message>
         <source>Two redundant level sensors</source>
@@ -3184,10 +3176,6 @@
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck verweist endlos auf sich selbst; schreiben Sie seinen Rumpf in ST</translation>
-    </message>
-    <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Eine Bedingung in {0} ruft einen Baustein auf, was in einer Bedingung nicht möglich ist; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -4849,10 +4837,6 @@
         <translation>Sensor</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Lampe</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirene</translation>
     </message>
@@ -5211,10 +5195,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Farbschema wechseln</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Lampensymbol</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -5987,7 +5967,7 @@
     </message>
     <message>
         <source>a number of seconds</source>
-        <translation>eine Zahl von Sekunden</translation>
+        <translation>eine Anzahl Sekunden</translation>
     </message>
     <message>
         <source>a list</source>
@@ -6116,10 +6096,6 @@
         <translation>{0} ist nicht die Adresse einer Steuerung; schreiben Sie zum Beispiel https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} ist nicht erreichbar: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} lehnt die Verbindung ab: {1}</translation>
     </message>
@@ -6158,10 +6134,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} verwendet an diesem Port TLS; geben Sie die Adresse {1} ein</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>{0} ist über TLS nicht erreichbar: {1}; starten Sie die Steuerung dort mit --certificate oder verwenden Sie auf demselben Rechner eine http-Adresse</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6441,10 +6413,6 @@
         <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
-    </message>
-    <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>Die wahrscheinliche Ursache liegt außerhalb: Weder die Einstellungen noch ein klemmendes Ventil erklären es.</translation>
     </message>
@@ -6658,7 +6626,7 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>Regelkreis jetzt</translation>
+        <translation>aktueller Regelkreis</translation>
     </message>
     <message>
         <source>loop, {0}</source>
@@ -8411,6 +8379,82 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 ordnet das Fenster zum Zeichnen von Panels an</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Andere Dokumente schließen</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Block ein- oder ausklappen</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Alles ein- oder ausklappen</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Vorheriger Durchlauf der Schleife</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Nächster Durchlauf der Schleife</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Kontextmenü</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Spalten…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Dockfenster zur nächsten Seite verschieben</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Lösen oder wieder andocken</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Vorheriger Bereich</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Bereich verbreitern</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Bereich verschmälern</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Bereich erhöhen</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Bereich niedriger machen</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Dokument nach links</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Dokument nach rechts</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Tooltip am Cursor anzeigen</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Hier gibt es keine Spalten; gehen Sie zuerst in eine Tabelle oder eine Liste mit Spalten</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8465,6 +8509,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Docks</source>
         <translation>Dockfenster</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Einklappen</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Bereiche</translation>
     </message>
 </context>
 <context>
@@ -10290,6 +10342,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Function Block Here</source>
         <translation>Funktionsbaustein hier</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Kontakt nach links schieben; mit Rechts nach rechts</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Wählen Sie einen Kontakt; ein Netzwerk wird nach oben und unten verschoben</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -10863,7 +10923,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>loop now</source>
-        <translation>Regelkreis jetzt</translation>
+        <translation>aktueller Regelkreis</translation>
     </message>
     <message>
         <source>loop as proposed</source>
@@ -11893,6 +11953,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 ist in der Rezeptur bereits enthalten; wählen Sie eine andere Variable.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Wählen Sie eine Zelle des Datensatzes, der umbenannt werden soll.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12062,6 +12126,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>Die Tabelle hat&#xa0;%1 bereits; wählen Sie eine andere Sprache</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Sprache entfernen</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Wählen Sie eine Zelle der Sprache, die entfernt werden soll.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>Eine Texttabelle behält eine Sprache; fügen Sie zuerst eine andere hinzu.</translation>
     </message>
 </context>
 <context>
@@ -13196,6 +13272,41 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>No</source>
         <translation>Nein</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>An Inhalt anpassen</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Breiter</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Schmaler</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Aufsteigend sortieren</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Absteigend sortieren</translation>
     </message>
 </context>
 </TS>

@@ -80,8 +80,8 @@
         <translation>Los puertos por debajo de 1024 necesitan permisos especiales; use un puerto como 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Un canal de un dispositivo MQTT necesita un «topic»</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>Un canal de un dispositivo MQTT necesita un «topic», por ejemplo «plant/level»</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -236,8 +236,8 @@
         <translation>el bróker rechaza la conexión: {0}; compruebe el usuario y la contraseña</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>se perdió la entrada {0} del dispositivo {1}</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>se perdió la entrada {0} del dispositivo {1}; compruebe el dispositivo y su cable</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -307,10 +307,6 @@
         <translation>Cadena sin terminar; añada la comilla de cierre</translation>
     </message>
     <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>No es UTF-8 válido; guarde el archivo como UTF-8</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>Se esperaba {0} antes de {1}</translation>
     </message>
@@ -339,8 +335,8 @@
         <translation>Los números decimales usan punto; escriba {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
+        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT; declárelo allí o escriba ambos límites</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -647,10 +643,6 @@
         <translation>Ninguna transición lleva a la etapa {0}; nunca puede activarse: añada una TRANSITION hacia ella</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} no es un calificador de acción; use N, R, S, L, D, P, SD, DS o SL</translation>
-    </message>
-    <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
         <translation>No existe ninguna acción ni variable BOOL {0}; añada una ACTION o declare la variable</translation>
     </message>
@@ -900,12 +892,12 @@
         <translation>el ciclo se ha interrumpido</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>ninguna expresión</translation>
+        <source>there is no expression; enter one</source>
+        <translation>no hay ninguna expresión; escriba una</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>no está en esta imagen de memoria</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>no existe en el programa de este ciclo; elija un ciclo posterior</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1216,12 +1208,12 @@
         <translation>esto no se puede evaluar; use variables, operadores y funciones estándar</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>El generador de código ha fallado: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>El generador de código ha fallado, un error de Stepwise: {0}; notifíquelo con el programa</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>El generador de código ha producido un módulo no válido: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>El generador de código ha producido un módulo no válido, un error de Stepwise: {0}; notifíquelo con el programa</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1832,8 +1824,8 @@
         <translation>Windows-1252 no tiene el carácter {0}; escriba el archivo como UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que forme parte de un segmento.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que forme parte de un segmento; elija otro bloque o llámelo en el texto.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -3184,10 +3176,6 @@
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>El diagrama en {0} no se ha leído: una expresión se refiere a sí misma sin fin; escriba su cuerpo en ST</translation>
-    </message>
-    <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Una condición en {0} llama a un bloque, lo que no es posible en una condición; llame antes al bloque y use su salida</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -4849,10 +4837,6 @@
         <translation>Sensor</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Piloto</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirena</translation>
     </message>
@@ -5206,15 +5190,11 @@
     </message>
     <message>
         <source>Filling it</source>
-        <translation>Rellenando</translation>
+        <translation>Rellenar</translation>
     </message>
     <message>
         <source>Change the theme</source>
         <translation>Cambiar el tema</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Símbolo de piloto</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6096,6 @@
         <translation>{0} no es la dirección de un controlador; escriba por ejemplo https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>No se puede acceder a {0}: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} rechaza la conexión: {1}</translation>
     </message>
@@ -6158,10 +6134,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} usa TLS en este puerto; use la dirección {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>No se puede acceder a {0} por TLS: {1}; inicie su controlador con --certificate o use una dirección http en el mismo equipo</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6441,10 +6413,6 @@
         <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
-    </message>
-    <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
         <translation>La causa probable es externa: ni los ajustes ni una válvula que se atasca lo explican.</translation>
     </message>
@@ -6658,7 +6626,7 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>lazo ahora</translation>
+        <translation>lazo actual</translation>
     </message>
     <message>
         <source>loop, {0}</source>
@@ -8411,6 +8379,82 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 organiza la ventana para dibujar paneles</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Cerrar los demás documentos</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Contraer o expandir el bloque</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Contraer o expandir todo</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Pasada anterior del bucle</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Pasada siguiente del bucle</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Menú contextual</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Columnas…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Mover la ventana al lado siguiente</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Desacoplar o acoplar de nuevo</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Área siguiente</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Área anterior</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Ensanchar el área</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Estrechar el área</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Aumentar la altura del área</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Reducir la altura del área</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Mover el documento a la izquierda</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Mover el documento a la derecha</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Mostrar la información del cursor</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Aquí no hay columnas; vaya antes a una tabla o a una lista con columnas</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8465,6 +8509,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Docks</source>
         <translation>Ventanas</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Contracción</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Áreas</translation>
     </message>
 </context>
 <context>
@@ -10290,6 +10342,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Function Block Here</source>
         <translation>Bloque de función aquí</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Mover el contacto a la izquierda; con Derecha, a la derecha</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Seleccione un contacto; un segmento se mueve hacia arriba y abajo</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -11893,6 +11953,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 ya está en la receta; elija otra variable.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Seleccione una celda del juego de valores que se va a renombrar.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12062,6 +12126,18 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>La tabla ya tiene&#xa0;%1; elija otro idioma</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Quitar el idioma</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Seleccione una celda del idioma que se va a quitar.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>Una tabla de textos conserva un idioma; añada antes otro.</translation>
     </message>
 </context>
 <context>
@@ -13196,6 +13272,41 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     <message>
         <source>No</source>
         <translation>No</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Columna %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Ajustar al contenido</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Más ancha</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Más estrecha</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Mover a la izquierda</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Mover a la derecha</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Orden ascendente</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Orden descendente</translation>
     </message>
 </context>
 </TS>

@@ -80,8 +80,8 @@
         <translation>Les ports inférieurs à 1024 demandent des droits particuliers&#x202f;; utilisez un port tel que 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Une voie d’un appareil MQTT demande un «&#xa0;topic&#xa0;»</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>Une voie d’un appareil MQTT demande un «&#xa0;topic&#xa0;», par exemple «&#xa0;plant/level&#xa0;»</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -236,8 +236,8 @@
         <translation>le broker refuse la connexion&#xa0;: {0}&#x202f;; vérifiez l’utilisateur et le mot de passe</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>l’entrée {0} de l’appareil {1} a été perdue</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>l’entrée {0} de l’appareil {1} a été perdue&#x202f;; vérifiez l’appareil et son câble</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -307,10 +307,6 @@
         <translation>Chaîne non terminée&#x202f;; ajouter le guillemet fermant</translation>
     </message>
     <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Ce n’est pas de l’UTF-8 valide&#x202f;; enregistrer le fichier en UTF-8</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>Attendu avant {1}&#xa0;: {0}</translation>
     </message>
@@ -339,8 +335,8 @@
         <translation>Les nombres décimaux utilisent le point&#x202f;; écrire {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
+        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT&#x202f;; la déclarer là ou indiquer les deux bornes</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -647,10 +643,6 @@
         <translation>Aucune transition ne mène à l’étape {0}&#x202f;; elle ne peut jamais devenir active&#xa0;: ajouter une TRANSITION vers elle</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} n’est pas un qualificatif d’action&#x202f;; utiliser N, R, S, L, D, P, SD, DS ou SL</translation>
-    </message>
-    <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
         <translation>Il n’y a ni action ni variable BOOL {0}&#x202f;; ajouter une ACTION ou déclarer la variable</translation>
     </message>
@@ -900,12 +892,12 @@
         <translation>le cycle a été interrompu</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>pas d’expression</translation>
+        <source>there is no expression; enter one</source>
+        <translation>il n’y a pas d’expression&#x202f;; saisissez-en une</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>absent de cette image mémoire</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>absent du programme de ce cycle&#x202f;; choisissez un cycle ultérieur</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1216,12 +1208,12 @@
         <translation>ceci ne peut pas être évalué&#x202f;; utilisez des variables, des opérateurs et des fonctions standard</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>Le générateur de code a échoué&#xa0;: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Le générateur de code a échoué, une erreur de Stepwise&#xa0;: {0}&#x202f;; signalez-la avec le programme</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>Le générateur de code a produit un module incorrect&#xa0;: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Le générateur de code a produit un module incorrect, une erreur de Stepwise&#xa0;: {0}&#x202f;; signalez-la avec le programme</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1832,8 +1824,8 @@
         <translation>Windows-1252 n’a pas le caractère {0}&#x202f;; écrivez le fichier en UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il fasse partie d’un réseau.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il fasse partie d’un réseau&#x202f;; choisissez un autre bloc ou appelez-le dans le texte.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -3184,10 +3176,6 @@
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se réfère à elle-même sans fin&#x202f;; écrivez son corps en ST</translation>
-    </message>
-    <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>Une condition dans {0} appelle un bloc, ce qui n’est pas possible dans une condition&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -4849,10 +4837,6 @@
         <translation>Capteur</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>Voyant</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>Sirène</translation>
     </message>
@@ -5211,10 +5195,6 @@
     <message>
         <source>Change the theme</source>
         <translation>Changer de thème</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>Symbole de voyant</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6116,10 +6096,6 @@
         <translation>{0} n’est pas l’adresse d’un automate&#x202f;; écrivez par exemple https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} est injoignable&#xa0;: {1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} refuse la connexion&#xa0;: {1}</translation>
     </message>
@@ -6158,10 +6134,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} utilise TLS sur ce port&#x202f;; utilisez l’adresse {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>{0} est injoignable en TLS&#xa0;: {1}&#x202f;; démarrez son automate avec --certificate, ou utilisez une adresse http sur le même ordinateur</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6439,10 +6411,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -8411,6 +8379,82 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 dispose la fenêtre pour dessiner des vues</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Fermer les autres documents</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Replier ou déplier le bloc</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Tout replier ou déplier</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Passage précédent de la boucle</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Passage suivant de la boucle</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Menu contextuel</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Colonnes…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Déplacer le volet vers le côté suivant</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Détacher ou ancrer de nouveau</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Volet suivant</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Volet précédent</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Élargir le volet</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Rétrécir le volet</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Augmenter la hauteur du volet</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Réduire la hauteur du volet</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Déplacer le document à gauche</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Déplacer le document à droite</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Afficher l’info-bulle au curseur</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Il n’y a pas de colonnes ici&#x202f;; allez d’abord dans un tableau ou une liste avec des colonnes</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8465,6 +8509,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Docks</source>
         <translation>Volets</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Repliage</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Volets et documents</translation>
     </message>
 </context>
 <context>
@@ -10290,6 +10342,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Function Block Here</source>
         <translation>Bloc fonctionnel ici</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Déplacer le contact vers la gauche&#x202f;; avec Droite, vers la droite</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Sélectionnez un contact&#x202f;; un réseau se déplace vers le haut et le bas</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -11893,6 +11953,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 est déjà dans la recette&#x202f;; choisissez une autre variable.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Sélectionnez une cellule du jeu de valeurs à renommer.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12062,6 +12126,18 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>Le tableau contient déjà&#xa0;%1&#x202f;; choisissez une autre langue</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Retirer la langue</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Sélectionnez une cellule de la langue à retirer.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>Une table de textes garde une langue&#x202f;; ajoutez-en d’abord une autre.</translation>
     </message>
 </context>
 <context>
@@ -13196,6 +13272,41 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>No</source>
         <translation>Non</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Colonne %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Ajuster au contenu</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Plus large</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Plus étroite</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Déplacer à gauche</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Déplacer à droite</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Trier par ordre croissant</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Trier par ordre décroissant</translation>
     </message>
 </context>
 </TS>

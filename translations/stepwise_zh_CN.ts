@@ -80,8 +80,8 @@
         <translation>1024 以下的端口需要特殊权限；请使用 1502 这样的端口</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>MQTT 设备的通道需要“topic”</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>MQTT 设备的通道需要“topic”，例如“plant/level”</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -236,8 +236,8 @@
         <translation>代理拒绝连接：{0}；请检查用户和密码</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>设备 {1} 的输入 {0} 已丢失</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>设备 {1} 的输入 {0} 已丢失；请检查设备及其电缆</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -307,10 +307,6 @@
         <translation>字符串未结束；请补上结束引号</translation>
     </message>
     <message>
-        <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>不是有效的 UTF-8；请将文件保存为 UTF-8</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>{1} 之前应为 {0}</translation>
     </message>
@@ -339,8 +335,8 @@
         <translation>小数使用点号；请写 {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
+        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT；请在那里声明，或写出两个边界</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -647,10 +643,6 @@
         <translation>没有转换通向步 {0}；它永远不会激活：请添加通向它的 TRANSITION</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
-        <translation>{0} 不是动作限定符；请使用 N、R、S、L、D、P、SD、DS 或 SL</translation>
-    </message>
-    <message>
         <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
         <translation>没有名为 {0} 的动作或 BOOL 变量；请添加 ACTION 或声明变量</translation>
     </message>
@@ -768,7 +760,7 @@
     </message>
     <message>
         <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
-        <translation>{0} 需要 {1} 个实参；请删除多余的参数</translation>
+        <translation>{0} 需要 {1} 个实参；请删除多余的实参</translation>
     </message>
     <message>
         <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
@@ -900,12 +892,12 @@
         <translation>扫描已中止</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>没有表达式</translation>
+        <source>there is no expression; enter one</source>
+        <translation>没有表达式；请输入一个</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>不在此映像中</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>此扫描周期的程序中没有它；请选择更晚的扫描周期</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1216,12 +1208,12 @@
         <translation>无法求值；请使用变量、运算符和标准函数</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>代码生成器失败：{0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>代码生成器失败，这是 Stepwise 的错误：{0}；请连同程序一起报告</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>代码生成器产生了无效模块：{0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>代码生成器产生了无效模块，这是 Stepwise 的错误：{0}；请连同程序一起报告</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1832,8 +1824,8 @@
         <translation>Windows-1252 没有字符 {0}；请将文件写为 UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能成为程序段的一部分。</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能成为程序段的一部分；请选择其他块，或在文本中调用它。</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -3184,10 +3176,6 @@
     <message>
         <source>The diagram in {0} was not read: an expression refers to itself endlessly; write its body in ST</source>
         <translation>{0} 中的图未读取：表达式无限引用自身；请用 ST 编写其主体</translation>
-    </message>
-    <message>
-        <source>A condition in {0} calls a block, which a condition cannot do; call the block beforehand and use its output</source>
-        <translation>{0} 中的条件调用了块，而条件不能调用块；请先调用该块，再使用其输出</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
@@ -4848,10 +4836,6 @@
         <translation>传感器</translation>
     </message>
     <message>
-        <source>Lamp</source>
-        <translation>指示灯</translation>
-    </message>
-    <message>
         <source>Siren</source>
         <translation>警报器</translation>
     </message>
@@ -5210,10 +5194,6 @@
     <message>
         <source>Change the theme</source>
         <translation>切换主题</translation>
-    </message>
-    <message>
-        <source>Lamp symbol</source>
-        <translation>指示灯符号</translation>
     </message>
     <message>
         <source>Light bulb</source>
@@ -6114,10 +6094,6 @@
         <translation>{0} 不是控制器的地址；例如请写 https://plant:8443/</translation>
     </message>
     <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>无法访问 {0}：{1}</translation>
-    </message>
-    <message>
         <source>{0} rejects the connection: {1}</source>
         <translation>{0} 拒绝连接：{1}</translation>
     </message>
@@ -6156,10 +6132,6 @@
     <message>
         <source>{0} speaks TLS on this port; use the address {1}</source>
         <translation>{0} 在此端口使用 TLS；请使用地址 {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached by TLS: {1}; start its controller with --certificate, or use an http address on the same computer</source>
-        <translation>无法通过 TLS 连接 {0}：{1}；请用 --certificate 启动其控制器，或在同一台计算机上使用 http 地址</translation>
     </message>
     <message>
         <source>{0} cannot be reached: {1}; check the address and the network</source>
@@ -6437,10 +6409,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>原因可能是参数设置：按模型，回路会以此周期振荡。</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
     </message>
     <message>
         <source>The likely cause is external: neither the settings nor a sticking valve explains it.</source>
@@ -8403,6 +8371,82 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 将窗口布置为绘制画面</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>关闭其他文档</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>折叠或展开块</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>全部折叠或展开</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>循环的上一遍</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>循环的下一遍</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>快捷菜单</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>列…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>将停靠窗口移到下一侧</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>浮动或重新停靠</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>下一窗格</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>上一窗格</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>加宽窗格</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>收窄窗格</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>增高窗格</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>降低窗格</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>左移文档</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>右移文档</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>显示光标处的工具提示</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>此处没有列；请先转到带列的表格或列表</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8457,6 +8501,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Docks</source>
         <translation>停靠窗口</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>折叠</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>窗格</translation>
     </message>
 </context>
 <context>
@@ -10276,6 +10328,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Function Block Here</source>
         <translation>此处插入功能块</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>左移触点；按右箭头则右移</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>请选择触点；程序段可上下移动</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -11876,6 +11936,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 已在配方中；请选择其他变量。</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>请选择要重命名的数据组中的单元格。</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12041,6 +12105,18 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>表中已有 %1；请选择其他语言</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>移除语言</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>请选择要移除的语言中的单元格。</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>文本表至少保留一种语言；请先添加另一种。</translation>
     </message>
 </context>
 <context>
@@ -13174,6 +13250,41 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>No</source>
         <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>适应内容</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>加宽</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>收窄</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>左移</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>右移</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>升序排序</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>降序排序</translation>
     </message>
 </context>
 </TS>
