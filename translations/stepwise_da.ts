@@ -335,8 +335,8 @@
         <translation>Decimaltal bruger punktum; skriv {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
-        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT; erklær den der, eller skriv begge grænser</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT; erklær den der, eller skriv et tal</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -8385,11 +8385,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Fold or Unfold the Block</source>
-        <translation>Fold blokken sammen eller ud</translation>
+        <translation>Klap blokken sammen eller ud</translation>
     </message>
     <message>
         <source>Fold or Unfold All</source>
-        <translation>Fold alt sammen eller ud</translation>
+        <translation>Klap alt sammen eller ud</translation>
     </message>
     <message>
         <source>Previous Pass of the Loop</source>
@@ -8512,7 +8512,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Folding</source>
-        <translation>Foldning</translation>
+        <translation>Sammenklapning</translation>
     </message>
     <message>
         <source>Panes</source>
@@ -13307,6 +13307,13 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Sort Descending</source>
         <translation>Sorter faldende</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 </TS>

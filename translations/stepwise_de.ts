@@ -335,8 +335,8 @@
         <translation>In Dezimalzahlen wird ein Punkt verwendet; {0} schreiben</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
-        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt; dort deklarieren oder beide Grenzen angeben</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt; dort deklarieren oder eine Zahl angeben</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -8449,7 +8449,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show Tooltip at the Cursor</source>
-        <translation>Tooltip am Cursor anzeigen</translation>
+        <translation>QuickInfo am Cursor anzeigen</translation>
     </message>
     <message>
         <source>There are no columns here; go to a table or a list with columns first</source>
@@ -13307,6 +13307,13 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Sort Descending</source>
         <translation>Absteigend sortieren</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 </TS>

@@ -335,8 +335,8 @@
         <translation>Los números decimales usan punto; escriba {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
-        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT; declárelo allí o escriba ambos límites</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT; declárelo allí o escriba un número</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -13307,6 +13307,13 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     <message>
         <source>Sort Descending</source>
         <translation>Orden descendente</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 </TS>

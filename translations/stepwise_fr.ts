@@ -335,8 +335,8 @@
         <translation>Les nombres décimaux utilisent le point&#x202f;; écrire {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
-        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT&#x202f;; la déclarer là ou indiquer les deux bornes</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT&#x202f;; la déclarer là ou indiquer un nombre</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -13307,6 +13307,13 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Sort Descending</source>
         <translation>Trier par ordre décroissant</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
     </message>
 </context>
 </TS>

@@ -335,8 +335,8 @@
         <translation>小数使用点号；请写 {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write both bounds</source>
-        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT；请在那里声明，或写出两个边界</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT；请在那里声明，或写一个数字</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -13285,6 +13285,13 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Sort Descending</source>
         <translation>降序排序</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
     </message>
 </context>
 </TS>

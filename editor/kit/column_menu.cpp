@@ -11,7 +11,7 @@ namespace plc::kit {
 
 namespace {
 
-constexpr int kStep = 24; // pixels that one choice of Wider or Narrower changes
+constexpr int kColumnStep = 24; // pixels that one choice of Wider or Narrower changes
 
 void sortBy(QHeaderView& head, int column, Qt::SortOrder order) {
     head.setSortIndicator(column, order); // the view sorts by it
@@ -51,9 +51,9 @@ void ColumnMenu::addColumn(QMenu& menu, QHeaderView& head, int column) {
     QHeaderView* const at = &head;
     if (head.sectionResizeMode(column) == QHeaderView::Interactive) {
         of->addAction(tr("Fit to Contents"), at, [at, column] { at->resizeSection(column, fittingSize(*at, column)); });
-        of->addAction(tr("Wider"), at, [at, column] { at->resizeSection(column, at->sectionSize(column) + kStep); });
+        of->addAction(tr("Wider"), at, [at, column] { at->resizeSection(column, at->sectionSize(column) + kColumnStep); });
         of->addAction(tr("Narrower"), at, [at, column] {
-            at->resizeSection(column, std::max(at->minimumSectionSize(), at->sectionSize(column) - kStep));
+            at->resizeSection(column, std::max(at->minimumSectionSize(), at->sectionSize(column) - kColumnStep));
         });
     }
     if (head.sectionsMovable()) {

@@ -49,8 +49,8 @@ std::vector<fs::path> tablesOfExamples() {
 TEST(PanelTerms, TableHasAWordInTheLanguagesOfMostExamples) {
     const std::vector<std::vector<std::string>> rows = checks::termTable("panel_terms.csv");
     ASSERT_GT(rows.size(), 30u);
-    EXPECT_EQ(rows.front(), (std::vector<std::string>{"term", "definition", "de", "da", "es", "fr", "nl", "sv", "it", "pl",
-                                                      "zh", "ar", "source", "not in"}));
+    EXPECT_EQ(rows.front(), (std::vector<std::string>{"term", "definition", "de", "da", "es", "fr", "nl", "sv", "it",
+                                                      "pl", "zh", "ar", "source", "not in"}));
     for (const std::vector<std::string>& row : rows) {
         ASSERT_EQ(row.size(), rows.front().size()) << row.front() << ": no commas within a cell";
         for (size_t i = 0; i < 6; ++i) EXPECT_FALSE(row[i].empty()) << row.front() << ", column " << i + 1;

@@ -1,5 +1,5 @@
-// A table of terms, translations/*.csv: one English term, one word in each language. Read and compared for the checks of
-// the studio's texts and of the panels'.
+// A table of terms, translations/*.csv: one English term, one word in each language. Read and compared for the checks
+// of the studio's texts and of the panels'.
 #pragma once
 #include <map>
 #include <string>
