@@ -3,6 +3,7 @@
 #include "app/documents/design_pages.h"
 #include "app/documents/file_commands.h"
 #include "app/documents/unit_commands.h"
+#include "app/frame/keyboard_commands.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
 #include "app/main_window.h"
@@ -17,6 +18,7 @@
 #include "editor/debug/watch_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/text/st_keys.h"
 
 #include <QApplication>
 
@@ -56,6 +58,7 @@ const std::vector<ActionSpec> kActions = {
     {"file.save", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save"), "Ctrl+S", drawn(Icon::Save), [](MainWindow& w) { w.designs().save(); }},
     {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.designs().saveAll(); }},
     {"file.closeTab", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Document"), "Ctrl+W", none, [](MainWindow& w) { if (w.tabs().count()) w.tabs().closePage(w.tabs().currentIndex()); }},
+    {"file.closeOthers", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Other Documents"), "", none, [](MainWindow& w) { w.tabs().closeOthers(w.tabs().currentIndex()); }},
     {"file.libraries", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Libraries…"), "", drawn(Icon::Library), [](MainWindow& w) { w.chooseLibraries(); }},
     {"file.import", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Import…"), "", none, [](MainWindow& w) { importProject(w); }},
     {"file.export", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Export…"), "", none, [](MainWindow& w) { exportProject(w); }},
@@ -89,6 +92,8 @@ const std::vector<ActionSpec> kActions = {
     {"edit.selectBlock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Select Enclosing Block"), "Ctrl+Shift+Up", none, inEditor<&editor::StEditor::selectBlock>},
     {"edit.nextOccurrence", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Add Next Occurrence to Selection"), "Alt+J", none, inEditor<&editor::StEditor::selectNextOccurrence>},
     {"edit.matching", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Matching Keyword"), "Ctrl+M", none, inEditor<&editor::StEditor::goToMatchingWord>},
+    {"edit.fold", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Fold or Unfold the Block"), "Ctrl+Alt+F", none, [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) editor::toggleFold(*e); }},
+    {"edit.foldAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Fold or Unfold All"), "", none, [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->foldAll(); }},
     {"edit.nextProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Problem"), "F4", none, [](MainWindow& w) { w.problems().goToNext(1); }},
     {"edit.previousProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Problem"), "Shift+F4", none, [](MainWindow& w) { w.problems().goToNext(-1); }},
     {"edit.bookmark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Bookmark"), "Ctrl+F2", drawn(Icon::Marker),
@@ -150,6 +155,8 @@ const std::vector<ActionSpec> kActions = {
     {"time.backIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back In"), "Ctrl+Shift+F8", drawn(Icon::StepBack), [](MainWindow& w) { w.stepBack(session::Step::In); }},
     {"time.backOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back Over"), "Ctrl+Shift+F10", none, [](MainWindow& w) { w.stepBack(session::Step::Over); }},
     {"time.backOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back Out"), "Ctrl+Alt+Shift+F10", none, [](MainWindow& w) { w.stepBack(session::Step::Out); }},
+    {"time.passBack", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Pass of the Loop"), "Ctrl+Alt+PgUp", none, [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) editor::changePass(*e, -1); }},
+    {"time.passForward", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Pass of the Loop"), "Ctrl+Alt+PgDown", none, [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) editor::changePass(*e, 1); }},
     {"time.why", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Why?"), "Ctrl+Alt+W", drawn(Icon::Question), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::Why); }},
     {"time.whyNot", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Why Not?"), "Ctrl+Alt+N", drawn(Icon::Lightbulb), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::WhyNot); }},
     {"time.who", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Who Set This?"), "Ctrl+Alt+Q", drawn(Icon::Write), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::Who); }},
@@ -177,6 +184,8 @@ const std::vector<ActionSpec> kActions = {
      }},
     {"view.zoomIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Larger"), "Ctrl++", drawn(Icon::ZoomIn), inFocus<kZoomIn>},
     {"view.zoomOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Smaller"), "Ctrl+-", drawn(Icon::ZoomOut), inFocus<kZoomOut>},
+    {"view.contextMenu", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Context Menu"), "Alt+Shift+F10", none, [](MainWindow&) { showContextMenu(); }},
+    {"view.columns", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Columns…"), "", none, [](MainWindow& w) { chooseColumns(w); }},
     {"view.light", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Light Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Light); }},
     {"view.dark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Dark Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Dark); }},
     {"view.contrast", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "High-Contrast Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Contrast); }},
@@ -186,9 +195,20 @@ const std::vector<ActionSpec> kActions = {
     {"view.panelDesign", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Drawing Panels"), "Ctrl+Alt+3", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::PanelDesign); }},
     {"view.maximise", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Maximise the Editor"), "Ctrl+Alt+M", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().toggleMaximised(); }},
     {"view.hideDock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Hide Dock Automatically"), "Ctrl+Alt+D", none, [](MainWindow& w) { w.sideBars().toggleFocused(); }},
+    {"view.moveDock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Move Dock to the Next Side"), "Ctrl+Alt+Shift+D", none, [](MainWindow& w) { moveFocusedDock(w, w.sideBars()); }},
+    {"view.floatDock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Float or Dock Again"), "", none, [](MainWindow& w) { floatFocusedDock(w.sideBars()); }},
+    {"view.nextPane", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Pane"), "Ctrl+F6", none, [](MainWindow& w) { focusNextPane(w, w.sideBars(), 1); }},
+    {"view.previousPane", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Pane"), "Ctrl+Shift+F6", none, [](MainWindow& w) { focusNextPane(w, w.sideBars(), -1); }},
+    {"view.wider", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Wider Pane"), "Ctrl+Alt+Shift+Right", none, [](MainWindow&) { PaneKeys::change(PaneKeys::Change::Wider); }},
+    {"view.narrower", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Narrower Pane"), "Ctrl+Alt+Shift+Left", none, [](MainWindow&) { PaneKeys::change(PaneKeys::Change::Narrower); }},
+    {"view.taller", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Taller Pane"), "Ctrl+Alt+Shift+Up", none, [](MainWindow&) { PaneKeys::change(PaneKeys::Change::Taller); }},
+    {"view.shorter", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Shorter Pane"), "Ctrl+Alt+Shift+Down", none, [](MainWindow&) { PaneKeys::change(PaneKeys::Change::Shorter); }},
+    {"view.tabLeft", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Move Document Left"), "Ctrl+Shift+PgUp", none, [](MainWindow& w) { w.tabs().moveCurrent(-1); }},
+    {"view.tabRight", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Move Document Right"), "Ctrl+Shift+PgDown", none, [](MainWindow& w) { w.tabs().moveCurrent(1); }},
     {"view.reset", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Reset the Layout"), "", none, [](MainWindow& w) { w.resetLayout(); }},
 
     {"help.explain", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Explain the Problem"), "F1", drawn(Icon::Question), [](MainWindow& w) { explainProblem(w); }},
+    {"help.information", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show Tooltip at the Cursor"), "Ctrl+I", none, [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) editor::showInformation(*e); }},
     {"help.tour", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Tour"), "", drawn(Icon::Help), [](MainWindow& w) { w.startTour(); }},
     {"help.about", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "About Stepwise"), "", drawn(Icon::Information), [](MainWindow& w) { w.about(); }},
 };

@@ -5,6 +5,7 @@
 #include "app/documents/project_state.h"
 #include "app/documents/unit_commands.h"
 #include "app/frame/dock_tabs.h"
+#include "app/frame/keyboard_commands.h"
 #include "app/frame/long_message.h"
 #include "app/frame/perspectives.h"
 #include "app/frame/side_bars.h"
@@ -122,6 +123,14 @@ void MainWindow::build() {
     makeDocks();
     kit::keepMnemonics(*qApp);
     makeActions();
+    new PaneKeys(this, [this](PaneKeys::Change change) {
+        using Change = PaneKeys::Change;
+        return action(change == Change::Wider      ? "view.wider"
+                      : change == Change::Narrower ? "view.narrower"
+                      : change == Change::Taller   ? "view.taller"
+                                                   : "view.shorter")
+            ->shortcut();
+    });
     makeStatusLine();
     connectParts();
     m_defaultLayout = saveState();
@@ -282,9 +291,9 @@ void MainWindow::makeActions() {
         }
         if (id == "file.open") m_recentMenu = menu->addMenu(tr("Recent Projects"));
         for (const char* last :
-             {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename",
-              "edit.previousProblem", "run.stop", "run.scan", "run.breakpoint", "run.resetOrigin", "run.history",
-              "run.releaseAll", "view.values", "view.zoomOut"})
+             {"file.close", "file.closeOthers", "file.settings", "edit.redo", "edit.paste", "edit.goToLine",
+              "edit.rename", "edit.previousProblem", "run.stop", "run.scan", "run.breakpoint", "run.resetOrigin",
+              "run.history", "run.releaseAll", "view.values", "view.zoomOut"})
             if (id == last) menu->addSeparator();
         if (id == "view.panelDesign") in.addSeparator();
     }

@@ -2,6 +2,7 @@
 #include "app/documents/design_pages.h"
 
 #include "app/exchange/exchange_dialogs.h"
+#include "app/frame/keyboard_commands.h"
 #include "app/main_window.h"
 #include "app/online/attachment.h"
 #include "app/online/native_program.h"
@@ -12,7 +13,20 @@
 #include "editor/kit/texts.h"
 #include "projects/storage/project_file.h"
 
+#include <QApplication>
+#include <QMenu>
+
 namespace plc::app {
+
+void chooseColumns(MainWindow& window) {
+    QMenu* columns = makeColumnMenu();
+    if (!columns)
+        return window.say(MainWindow::tr("There are no columns here; go to a table or a list with columns first"),
+                          true);
+    columns->setAttribute(Qt::WA_DeleteOnClose);
+    const QWidget* table = QApplication::focusWidget();
+    columns->popup(table->mapToGlobal(QPoint(8, 8)));
+}
 
 void importProject(MainWindow& window) {
     ImportDialog dialog(window.settings().projectsFolder(), &window);

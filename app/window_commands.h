@@ -7,6 +7,8 @@ namespace plc::app {
 class Attachment;
 class MainWindow;
 
+/// The head of the table that has the focus, as a menu.
+void chooseColumns(MainWindow& window);
 void importProject(MainWindow& window);
 void exportProject(MainWindow& window);
 void buildNativeProgram(MainWindow& window);

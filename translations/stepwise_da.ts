@@ -303,8 +303,8 @@
         <translation>Porte under 1024 kræver særlige rettigheder; brug en port som 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>En kanal på en MQTT-enhed kræver et ”topic”</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>En kanal på en MQTT-enhed kræver et ”topic”, for eksempel ”plant/level”</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -459,8 +459,8 @@
         <translation>brokeren afviser forbindelsen: {0}; kontroller bruger og adgangskode</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>indgangen {0} fra enheden {1} gik tabt</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>indgangen {0} fra enheden {1} gik tabt; kontroller enheden og dens kabel</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -558,8 +558,8 @@
         <translation>Decimaltal bruger punktum; skriv {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT; erklær den der, eller skriv et tal</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -1115,12 +1115,12 @@
         <translation>scannet blev afbrudt</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>intet udtryk</translation>
+        <source>there is no expression; enter one</source>
+        <translation>der er intet udtryk; indtast et</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>ikke i dette programs hukommelsesbillede</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>findes ikke i programmet til dette scan; vælg et senere scan</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1431,12 +1431,12 @@
         <translation>dette kan ikke beregnes; brug variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>Kodegeneratoren fejlede: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Kodegeneratoren fejlede, en fejl i Stepwise: {0}; rapporter den sammen med programmet</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>Kodegeneratoren dannede et ugyldigt modul: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Kodegeneratoren dannede et ugyldigt modul, en fejl i Stepwise: {0}; rapporter den sammen med programmet</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -2047,8 +2047,8 @@
         <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk; vælg en anden blok, eller kald den i teksten.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -6869,7 +6869,7 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>sløjfe nu</translation>
+        <translation>nuværende sløjfe</translation>
     </message>
     <message>
         <source>loop, {0}</source>
@@ -8590,6 +8590,82 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 indretter vinduet til at tegne paneler</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Luk andre dokumenter</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Klap blokken sammen eller ud</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Klap alt sammen eller ud</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Forrige gennemløb af løkken</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Næste gennemløb af løkken</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Genvejsmenu</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Kolonner…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Flyt vinduet til næste side</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Frigør eller fastgør igen</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Næste rude</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Forrige rude</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Gør ruden bredere</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Gør ruden smallere</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Gør ruden højere</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Gør ruden lavere</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Flyt dokumentet til venstre</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Flyt dokumentet til højre</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Vis værktøjstip ved markøren</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Der er ingen kolonner her; gå først til en tabel eller en liste med kolonner</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8644,6 +8720,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Docks</source>
         <translation>Vinduer</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Sammenklapning</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Ruder</translation>
     </message>
 </context>
 <context>
@@ -10534,6 +10618,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Function Block Here</source>
         <translation>Funktionsblok her</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Flyt kontakten til venstre; med pil højre, til højre</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Vælg en kontakt; et netværk flyttes op og ned</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -11107,7 +11199,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>loop now</source>
-        <translation>sløjfen nu</translation>
+        <translation>nuværende sløjfe</translation>
     </message>
     <message>
         <source>loop as proposed</source>
@@ -12137,6 +12229,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 er allerede i recepten; vælg en anden variabel.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Vælg en celle i det sæt, der skal omdøbes.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12306,6 +12402,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>Tabellen har allerede&#xa0;%1; vælg et andet sprog</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Fjern sproget</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Vælg en celle i det sprog, der skal fjernes.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>En teksttabel beholder ét sprog; tilføj først et andet.</translation>
     </message>
 </context>
 <context>
@@ -13217,6 +13325,271 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt *.trace);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokol</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiveret</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Vært</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Enhedsnummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Seriel port</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paritet</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Databit</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stopbit</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Aflæsningsinterval</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tidsgrænse</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Længste pause mellem forsøg</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variabel: enheden svarer</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Klient-id</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Adgangskodefil</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-kryptering</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fil med CA-certifikater</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabel</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit i registret</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Byterækkefølge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Sti i JSON-meddelelsen</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Servicekvalitet (QoS 0 til 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Broker beholder meddelelsen (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Ved tabt forbindelse</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sikker værdi</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variabel: kanalen er gyldig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP-enhed</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU-enhed (seriel)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP-server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskret indgang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Holderegister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Inputregister (indgang)</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Behold den seneste værdi</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Brug den sikre værdi</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Stop styringen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Lige</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ulige</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Indgang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Udgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nej</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Kolonne %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Tilpas til indholdet</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Bredere</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Smallere</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Flyt til venstre</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Flyt til højre</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Sorter stigende</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Sorter faldende</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 </TS>

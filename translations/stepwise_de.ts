@@ -303,8 +303,8 @@
         <translation>Ports unter 1024 erfordern besondere Rechte; verwenden Sie einen Port wie 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Ein Kanal eines MQTT-Geräts braucht ein „topic“</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>Ein Kanal eines MQTT-Geräts braucht ein „topic“, zum Beispiel „plant/level“</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -459,8 +459,8 @@
         <translation>der Broker lehnt die Verbindung ab: {0}; prüfen Sie Benutzer und Passwort</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>der Eingang {0} des Geräts {1} ist ausgefallen</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>der Eingang {0} des Geräts {1} ist ausgefallen; prüfen Sie das Gerät und sein Kabel</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -558,8 +558,8 @@
         <translation>In Dezimalzahlen wird ein Punkt verwendet; {0} schreiben</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>Eine offene Grenze wird als ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt; dort deklarieren oder eine Zahl angeben</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -1115,12 +1115,12 @@
         <translation>der Zyklus wurde abgebrochen</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>kein Ausdruck</translation>
+        <source>there is no expression; enter one</source>
+        <translation>es gibt keinen Ausdruck; geben Sie einen ein</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>im Speicherabbild dieses Programms nicht vorhanden</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>im Programm dieses Zyklus nicht vorhanden; wählen Sie einen späteren Zyklus</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1431,12 +1431,12 @@
         <translation>das kann nicht ausgewertet werden; verwenden Sie Variablen, Operatoren und Standardfunktionen</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>Der Codegenerator ist fehlgeschlagen: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Der Codegenerator ist fehlgeschlagen, ein Fehler in Stepwise: {0}; melden Sie ihn mit dem Programm</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>Der Codegenerator hat ein ungültiges Modul erzeugt: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Der Codegenerator hat ein ungültiges Modul erzeugt, ein Fehler in Stepwise: {0}; melden Sie ihn mit dem Programm</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -2047,8 +2047,8 @@
         <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit der Baustein Teil eines Netzwerks sein kann.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit der Baustein Teil eines Netzwerks sein kann; wählen Sie einen anderen, oder rufen Sie ihn im Text auf.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -3059,7 +3059,7 @@
     </message>
     <message>
         <source>Packing robot with camera inspection</source>
-        <translation>Roboter packt Kartons</translation>
+        <translation>Packroboter mit Kameraprüfung</translation>
     </message>
     <message>
         <source>Two redundant level sensors</source>
@@ -6202,7 +6202,7 @@
     </message>
     <message>
         <source>a number of seconds</source>
-        <translation>eine Zahl von Sekunden</translation>
+        <translation>eine Anzahl Sekunden</translation>
     </message>
     <message>
         <source>a list</source>
@@ -6869,7 +6869,7 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>Regelkreis jetzt</translation>
+        <translation>aktueller Regelkreis</translation>
     </message>
     <message>
         <source>loop, {0}</source>
@@ -8590,6 +8590,82 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 ordnet das Fenster zum Zeichnen von Panels an</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Andere Dokumente schließen</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Block ein- oder ausklappen</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Alles ein- oder ausklappen</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Vorheriger Durchlauf der Schleife</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Nächster Durchlauf der Schleife</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Kontextmenü</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Spalten…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Dockfenster zur nächsten Seite verschieben</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Lösen oder wieder andocken</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Vorheriger Bereich</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Bereich verbreitern</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Bereich verschmälern</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Bereich erhöhen</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Bereich niedriger machen</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Dokument nach links</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Dokument nach rechts</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>QuickInfo am Cursor anzeigen</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Hier gibt es keine Spalten; gehen Sie zuerst in eine Tabelle oder eine Liste mit Spalten</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8644,6 +8720,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Docks</source>
         <translation>Dockfenster</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Einklappen</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Bereiche</translation>
     </message>
 </context>
 <context>
@@ -10534,6 +10618,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Function Block Here</source>
         <translation>Funktionsbaustein hier</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Kontakt nach links schieben; mit Rechts nach rechts</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Wählen Sie einen Kontakt; ein Netzwerk wird nach oben und unten verschoben</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -11107,7 +11199,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>loop now</source>
-        <translation>Regelkreis jetzt</translation>
+        <translation>aktueller Regelkreis</translation>
     </message>
     <message>
         <source>loop as proposed</source>
@@ -12137,6 +12229,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 ist in der Rezeptur bereits enthalten; wählen Sie eine andere Variable.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Wählen Sie eine Zelle des Datensatzes, der umbenannt werden soll.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12306,6 +12402,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>Die Tabelle hat&#xa0;%1 bereits; wählen Sie eine andere Sprache</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Sprache entfernen</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Wählen Sie eine Zelle der Sprache, die entfernt werden soll.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>Eine Texttabelle behält eine Sprache; fügen Sie zuerst eine andere hinzu.</translation>
     </message>
 </context>
 <context>
@@ -13217,6 +13325,271 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt *.trace);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiviert</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Datenbits</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stoppbits</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Abfrageintervall</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Zeitlimit</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Längste Pause zwischen Versuchen</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: Gerät antwortet</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Client-ID</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Passwortdatei</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS-Verschlüsselung</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Datei der CA-Zertifikate</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit des Registers</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytereihenfolge</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Pfad in der JSON-Nachricht</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Dienstgüte (QoS 0 bis 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Nachricht bleibt beim Broker (Retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Bei Verbindungsverlust</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Sicherer Wert</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: Kanal ist gültig</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus-TCP-Gerät</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus-RTU-Gerät (seriell)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus-TCP-Server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-Broker</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Coil</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Diskreter Eingang</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Halteregister</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Eingangsregister</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Letzten Wert behalten</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Sicheren Wert verwenden</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Steuerung anhalten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Ungerade</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>An Inhalt anpassen</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Breiter</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Schmaler</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Aufsteigend sortieren</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Absteigend sortieren</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 </TS>

@@ -303,8 +303,8 @@
         <translation>Los puertos por debajo de 1024 necesitan permisos especiales; use un puerto como 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Un canal de un dispositivo MQTT necesita un «topic»</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>Un canal de un dispositivo MQTT necesita un «topic», por ejemplo «plant/level»</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -459,8 +459,8 @@
         <translation>el bróker rechaza la conexión: {0}; compruebe el usuario y la contraseña</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>se perdió la entrada {0} del dispositivo {1}</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>se perdió la entrada {0} del dispositivo {1}; compruebe el dispositivo y su cable</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -558,8 +558,8 @@
         <translation>Los números decimales usan punto; escriba {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT; declárelo allí o escriba un número</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -1115,12 +1115,12 @@
         <translation>el ciclo se ha interrumpido</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>ninguna expresión</translation>
+        <source>there is no expression; enter one</source>
+        <translation>no hay ninguna expresión; escriba una</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>no está en esta imagen de memoria</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>no existe en el programa de este ciclo; elija un ciclo posterior</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1431,12 +1431,12 @@
         <translation>esto no se puede evaluar; use variables, operadores y funciones estándar</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>El generador de código ha fallado: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>El generador de código ha fallado, un error de Stepwise: {0}; notifíquelo con el programa</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>El generador de código ha producido un módulo no válido: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>El generador de código ha producido un módulo no válido, un error de Stepwise: {0}; notifíquelo con el programa</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -2047,8 +2047,8 @@
         <translation>Windows-1252 no tiene el carácter {0}; escriba el archivo como UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que forme parte de un segmento.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que forme parte de un segmento; elija otro bloque o llámelo en el texto.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -5413,7 +5413,7 @@
     </message>
     <message>
         <source>Filling it</source>
-        <translation>Rellenando</translation>
+        <translation>Rellenar</translation>
     </message>
     <message>
         <source>Change the theme</source>
@@ -6869,7 +6869,7 @@
     </message>
     <message>
         <source>loop now</source>
-        <translation>lazo ahora</translation>
+        <translation>lazo actual</translation>
     </message>
     <message>
         <source>loop, {0}</source>
@@ -8590,6 +8590,82 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 organiza la ventana para dibujar paneles</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Cerrar los demás documentos</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Contraer o expandir el bloque</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Contraer o expandir todo</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Pasada anterior del bucle</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Pasada siguiente del bucle</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Menú contextual</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Columnas…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Mover la ventana al lado siguiente</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Desacoplar o acoplar de nuevo</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Área siguiente</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Área anterior</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Ensanchar el área</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Estrechar el área</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Aumentar la altura del área</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Reducir la altura del área</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Mover el documento a la izquierda</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Mover el documento a la derecha</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Mostrar la información del cursor</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Aquí no hay columnas; vaya antes a una tabla o a una lista con columnas</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8644,6 +8720,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Docks</source>
         <translation>Ventanas</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Contracción</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Áreas</translation>
     </message>
 </context>
 <context>
@@ -10534,6 +10618,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Function Block Here</source>
         <translation>Bloque de función aquí</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Mover el contacto a la izquierda; con Derecha, a la derecha</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Seleccione un contacto; un segmento se mueve hacia arriba y abajo</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -12137,6 +12229,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 ya está en la receta; elija otra variable.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Seleccione una celda del juego de valores que se va a renombrar.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12306,6 +12402,18 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>La tabla ya tiene&#xa0;%1; elija otro idioma</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Quitar el idioma</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Seleccione una celda del idioma que se va a quitar.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>Una tabla de textos conserva un idioma; añada antes otro.</translation>
     </message>
 </context>
 <context>
@@ -13217,6 +13325,271 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt *.trace);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocolo</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Habilitado</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Número de unidad</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Puerto serie</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Velocidad de transmisión</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Paridad</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de datos</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits de parada</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalo de sondeo</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tiempo de espera</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pausa máxima entre intentos</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable: el dispositivo responde</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identificador del cliente</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Archivo de la contraseña</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Cifrado TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Archivo de certificados de la CA</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit del registro</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Orden de los bytes</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Ruta en el mensaje JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Calidad de servicio (QoS, 0 a 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Mensaje retenido (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>Si se pierde la conexión</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valor seguro</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable: el canal es válido</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Dispositivo Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Dispositivo Modbus RTU (serie)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Servidor Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Bróker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobina (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrada discreta</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registro de retención</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registro de entrada</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Conservar el último valor</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Usar el valor seguro</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Parar el controlador</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Par</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impar</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Sí</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>No</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Columna %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Ajustar al contenido</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Más ancha</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Más estrecha</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Mover a la izquierda</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Mover a la derecha</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Orden ascendente</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Orden descendente</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 </TS>

@@ -303,8 +303,8 @@
         <translation>Les ports inférieurs à 1024 demandent des droits particuliers&#x202f;; utilisez un port tel que 1502</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Une voie d’un appareil MQTT demande un «&#xa0;topic&#xa0;»</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>Une voie d’un appareil MQTT demande un «&#xa0;topic&#xa0;», par exemple «&#xa0;plant/level&#xa0;»</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -459,8 +459,8 @@
         <translation>le broker refuse la connexion&#xa0;: {0}&#x202f;; vérifiez l’utilisateur et le mot de passe</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>l’entrée {0} de l’appareil {1} a été perdue</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>l’entrée {0} de l’appareil {1} a été perdue&#x202f;; vérifiez l’appareil et son câble</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -558,8 +558,8 @@
         <translation>Les nombres décimaux utilisent le point&#x202f;; écrire {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT&#x202f;; la déclarer là ou indiquer un nombre</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -1115,12 +1115,12 @@
         <translation>le cycle a été interrompu</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>pas d’expression</translation>
+        <source>there is no expression; enter one</source>
+        <translation>il n’y a pas d’expression&#x202f;; saisissez-en une</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>absent de cette image mémoire</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>absent du programme de ce cycle&#x202f;; choisissez un cycle ultérieur</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1431,12 +1431,12 @@
         <translation>ceci ne peut pas être évalué&#x202f;; utilisez des variables, des opérateurs et des fonctions standard</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>Le générateur de code a échoué&#xa0;: {0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Le générateur de code a échoué, une erreur de Stepwise&#xa0;: {0}&#x202f;; signalez-la avec le programme</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>Le générateur de code a produit un module incorrect&#xa0;: {0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>Le générateur de code a produit un module incorrect, une erreur de Stepwise&#xa0;: {0}&#x202f;; signalez-la avec le programme</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -2047,8 +2047,8 @@
         <translation>Windows-1252 n’a pas le caractère {0}&#x202f;; écrivez le fichier en UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il fasse partie d’un réseau.</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il fasse partie d’un réseau&#x202f;; choisissez un autre bloc ou appelez-le dans le texte.</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -8590,6 +8590,82 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 dispose la fenêtre pour dessiner des vues</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>Fermer les autres documents</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>Replier ou déplier le bloc</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>Tout replier ou déplier</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>Passage précédent de la boucle</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>Passage suivant de la boucle</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>Menu contextuel</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>Colonnes…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>Déplacer le volet vers le côté suivant</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>Détacher ou ancrer de nouveau</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>Volet suivant</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>Volet précédent</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>Élargir le volet</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>Rétrécir le volet</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>Augmenter la hauteur du volet</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>Réduire la hauteur du volet</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>Déplacer le document à gauche</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>Déplacer le document à droite</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>Afficher l’info-bulle au curseur</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>Il n’y a pas de colonnes ici&#x202f;; allez d’abord dans un tableau ou une liste avec des colonnes</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8644,6 +8720,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Docks</source>
         <translation>Volets</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>Repliage</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Volets et documents</translation>
     </message>
 </context>
 <context>
@@ -10534,6 +10618,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Function Block Here</source>
         <translation>Bloc fonctionnel ici</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>Déplacer le contact vers la gauche&#x202f;; avec Droite, vers la droite</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>Sélectionnez un contact&#x202f;; un réseau se déplace vers le haut et le bas</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -12137,6 +12229,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 est déjà dans la recette&#x202f;; choisissez une autre variable.</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>Sélectionnez une cellule du jeu de valeurs à renommer.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12306,6 +12402,18 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>Le tableau contient déjà&#xa0;%1&#x202f;; choisissez une autre langue</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>Retirer la langue</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>Sélectionnez une cellule de la langue à retirer.</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>Une table de textes garde une langue&#x202f;; ajoutez-en d’abord une autre.</translation>
     </message>
 </context>
 <context>
@@ -13217,6 +13325,271 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt *.trace);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Activé</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Hôte</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>Numéro d’unité</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Vitesse de transmission</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parité</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de données</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits d’arrêt</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>Intervalle de scrutation</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Délai d’attente</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>Pause maximale entre les tentatives</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>Variable&#xa0;: l’appareil répond</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>Identifiant du client</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>Fichier du mot de passe</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>Chiffrement TLS</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>Fichier des certificats de l’AC</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>Bit du registre</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Ordre des octets</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>Chemin dans le message JSON</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>Qualité de service (QoS 0 à 2)</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>Message conservé par le broker (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>En cas de perte de connexion</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>Valeur sûre</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>Variable&#xa0;: la voie est valide</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Appareil Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Appareil Modbus RTU (série)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Serveur Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobine (coil)</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>Entrée discrète</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>Registre de maintien</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>Registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>Garder la dernière valeur</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>Utiliser la valeur sûre</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>Arrêter l’automate</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>Impaire</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Colonne %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Ajuster au contenu</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Plus large</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Plus étroite</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Déplacer à gauche</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Déplacer à droite</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Trier par ordre croissant</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Trier par ordre décroissant</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
     </message>
 </context>
 </TS>

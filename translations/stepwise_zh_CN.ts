@@ -303,8 +303,8 @@
         <translation>1024 以下的端口需要特殊权限；请使用 1502 这样的端口</translation>
     </message>
     <message>
-        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>MQTT 设备的通道需要“topic”</translation>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;, for example &quot;plant/level&quot;</source>
+        <translation>MQTT 设备的通道需要“topic”，例如“plant/level”</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
@@ -459,8 +459,8 @@
         <translation>代理拒绝连接：{0}；请检查用户和密码</translation>
     </message>
     <message>
-        <source>the input {0} of the device {1} was lost</source>
-        <translation>设备 {1} 的输入 {0} 已丢失</translation>
+        <source>the input {0} of the device {1} was lost; check the device and its cable</source>
+        <translation>设备 {1} 的输入 {0} 已丢失；请检查设备及其电缆</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
@@ -558,8 +558,8 @@
         <translation>小数使用点号；请写 {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
-        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT; declare it there, or write a number</source>
+        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT；请在那里声明，或写一个数字</translation>
     </message>
     <message>
         <source>{0} is missing: the program unit ends here; add it</source>
@@ -983,7 +983,7 @@
     </message>
     <message>
         <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
-        <translation>{0} 需要 {1} 个实参；请删除多余的参数</translation>
+        <translation>{0} 需要 {1} 个实参；请删除多余的实参</translation>
     </message>
     <message>
         <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
@@ -1115,12 +1115,12 @@
         <translation>扫描已中止</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>没有表达式</translation>
+        <source>there is no expression; enter one</source>
+        <translation>没有表达式；请输入一个</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>不在此映像中</translation>
+        <source>the program of this scan does not have it; choose a later scan</source>
+        <translation>此扫描周期的程序中没有它；请选择更晚的扫描周期</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -1431,12 +1431,12 @@
         <translation>无法求值；请使用变量、运算符和标准函数</translation>
     </message>
     <message>
-        <source>The code generator failed: {0}</source>
-        <translation>代码生成器失败：{0}</translation>
+        <source>The code generator failed, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>代码生成器失败，这是 Stepwise 的错误：{0}；请连同程序一起报告</translation>
     </message>
     <message>
-        <source>The code generator produced an invalid module: {0}</source>
-        <translation>代码生成器产生了无效模块：{0}</translation>
+        <source>The code generator produced an invalid module, which is an error of Stepwise: {0}; report it with the program</source>
+        <translation>代码生成器产生了无效模块，这是 Stepwise 的错误：{0}；请连同程序一起报告</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -2047,8 +2047,8 @@
         <translation>Windows-1252 没有字符 {0}；请将文件写为 UTF-8</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
-        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能成为程序段的一部分。</translation>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung; choose another block, or call it in the text.</source>
+        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能成为程序段的一部分；请选择其他块，或在文本中调用它。</translation>
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
@@ -8584,6 +8584,82 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>%1 arranges the window for drawing panels</source>
         <translation>%1 将窗口布置为绘制画面</translation>
     </message>
+    <message>
+        <source>Close Other Documents</source>
+        <translation>关闭其他文档</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold the Block</source>
+        <translation>折叠或展开块</translation>
+    </message>
+    <message>
+        <source>Fold or Unfold All</source>
+        <translation>全部折叠或展开</translation>
+    </message>
+    <message>
+        <source>Previous Pass of the Loop</source>
+        <translation>循环的上一遍</translation>
+    </message>
+    <message>
+        <source>Next Pass of the Loop</source>
+        <translation>循环的下一遍</translation>
+    </message>
+    <message>
+        <source>Context Menu</source>
+        <translation>快捷菜单</translation>
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation>列…</translation>
+    </message>
+    <message>
+        <source>Move Dock to the Next Side</source>
+        <translation>将停靠窗口移到下一侧</translation>
+    </message>
+    <message>
+        <source>Float or Dock Again</source>
+        <translation>浮动或重新停靠</translation>
+    </message>
+    <message>
+        <source>Next Pane</source>
+        <translation>下一窗格</translation>
+    </message>
+    <message>
+        <source>Previous Pane</source>
+        <translation>上一窗格</translation>
+    </message>
+    <message>
+        <source>Wider Pane</source>
+        <translation>加宽窗格</translation>
+    </message>
+    <message>
+        <source>Narrower Pane</source>
+        <translation>收窄窗格</translation>
+    </message>
+    <message>
+        <source>Taller Pane</source>
+        <translation>增高窗格</translation>
+    </message>
+    <message>
+        <source>Shorter Pane</source>
+        <translation>降低窗格</translation>
+    </message>
+    <message>
+        <source>Move Document Left</source>
+        <translation>左移文档</translation>
+    </message>
+    <message>
+        <source>Move Document Right</source>
+        <translation>右移文档</translation>
+    </message>
+    <message>
+        <source>Show Tooltip at the Cursor</source>
+        <translation>显示光标处的工具提示</translation>
+    </message>
+    <message>
+        <source>There are no columns here; go to a table or a list with columns first</source>
+        <translation>此处没有列；请先转到带列的表格或列表</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -8638,6 +8714,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Docks</source>
         <translation>停靠窗口</translation>
+    </message>
+    <message>
+        <source>Folding</source>
+        <translation>折叠</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>窗格</translation>
     </message>
 </context>
 <context>
@@ -10520,6 +10604,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Function Block Here</source>
         <translation>此处插入功能块</translation>
     </message>
+    <message>
+        <source>Move the contact left; with Right, right</source>
+        <translation>左移触点；按右箭头则右移</translation>
+    </message>
+    <message>
+        <source>Select a contact; a rung moves up and down</source>
+        <translation>请选择触点；程序段可上下移动</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -12120,6 +12212,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>%1 is already in the recipe; choose another variable.</source>
         <translation>%1 已在配方中；请选择其他变量。</translation>
     </message>
+    <message>
+        <source>Select a cell of the set that is to be renamed.</source>
+        <translation>请选择要重命名的数据组中的单元格。</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::RecordsDialog</name>
@@ -12285,6 +12381,18 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>The table already has %1; choose another language</source>
         <translation>表中已有 %1；请选择其他语言</translation>
+    </message>
+    <message>
+        <source>Remove the language</source>
+        <translation>移除语言</translation>
+    </message>
+    <message>
+        <source>Select a cell of the language that is to be removed.</source>
+        <translation>请选择要移除的语言中的单元格。</translation>
+    </message>
+    <message>
+        <source>A table of texts keeps one language; add another one first.</source>
+        <translation>文本表至少保留一种语言；请先添加另一种。</translation>
     </message>
 </context>
 <context>
@@ -13195,6 +13303,271 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>记录和表格 (*.rec *.csv *.tsv *.txt *.trace);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFields</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>启用</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Unit number</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>奇偶校验</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>数据位</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>停止位</translation>
+    </message>
+    <message>
+        <source>Poll interval</source>
+        <translation>轮询间隔</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>超时时间</translation>
+    </message>
+    <message>
+        <source>Longest pause between attempts</source>
+        <translation>重试的最长间隔</translation>
+    </message>
+    <message>
+        <source>Variable: device responds</source>
+        <translation>变量：设备有应答</translation>
+    </message>
+    <message>
+        <source>Client ID</source>
+        <translation>客户端标识</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Password file</source>
+        <translation>密码文件</translation>
+    </message>
+    <message>
+        <source>TLS encryption</source>
+        <translation>TLS 加密</translation>
+    </message>
+    <message>
+        <source>File of CA certificates</source>
+        <translation>CA 证书文件</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Bit of the register</source>
+        <translation>寄存器的位</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>字节顺序</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Path in the JSON message</source>
+        <translation>JSON 消息中的路径</translation>
+    </message>
+    <message>
+        <source>Quality of service (0 to 2)</source>
+        <translation>服务质量（QoS 0 到 2）</translation>
+    </message>
+    <message>
+        <source>Retained message</source>
+        <translation>保留消息 (retain)</translation>
+    </message>
+    <message>
+        <source>If the connection is lost</source>
+        <translation>连接断开时</translation>
+    </message>
+    <message>
+        <source>Safe value</source>
+        <translation>安全值</translation>
+    </message>
+    <message>
+        <source>Variable: channel is good</source>
+        <translation>变量：通道有效</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP 设备</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU 设备（串行）</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP 服务器</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Discrete input</source>
+        <translation>离散输入</translation>
+    </message>
+    <message>
+        <source>Holding register</source>
+        <translation>保持寄存器</translation>
+    </message>
+    <message>
+        <source>Input register</source>
+        <translation>输入寄存器</translation>
+    </message>
+    <message>
+        <source>Keep the last value</source>
+        <translation>保持最后的值</translation>
+    </message>
+    <message>
+        <source>Use the safe value</source>
+        <translation>使用安全值</translation>
+    </message>
+    <message>
+        <source>Stop the controller</source>
+        <translation>停止控制器</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>适应内容</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>加宽</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>收窄</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>左移</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>右移</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>升序排序</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>降序排序</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
     </message>
 </context>
 </TS>

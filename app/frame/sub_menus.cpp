@@ -23,11 +23,15 @@ const std::vector<SubMenu>& subMenus() {
           "edit.forward"}},
         {QT_TRANSLATE_NOOP("plc::app::Menu", "Bookmarks"),
          {"edit.bookmark", "edit.nextBookmark", "edit.previousBookmark"}},
+        {QT_TRANSLATE_NOOP("plc::app::Menu", "Folding"), {"edit.fold", "edit.foldAll"}},
         {QT_TRANSLATE_NOOP("plc::app::Menu", "Reset"), {"run.resetWarm", "run.resetCold", "run.resetOrigin"}},
         {QT_TRANSLATE_NOOP("plc::app::Menu", "Recording"), {"run.history", "run.saveRecording", "run.openRecording"}},
         {QT_TRANSLATE_NOOP("plc::app::Menu", "Theme"), {"view.light", "view.dark", "view.contrast", "view.system"}},
         {QT_TRANSLATE_NOOP("plc::app::Menu", "Layout"),
-         {"view.editing", "view.debugging", "view.panelDesign", "view.maximise", "view.hideDock", "view.reset"}},
+         {"view.editing", "view.debugging", "view.panelDesign", "view.maximise", "view.reset"}},
+        {QT_TRANSLATE_NOOP("plc::app::Menu", "Panes"),
+         {"view.nextPane", "view.previousPane", "view.wider", "view.narrower", "view.taller", "view.shorter",
+          "view.hideDock", "view.moveDock", "view.floatDock", "view.tabLeft", "view.tabRight", "view.columns"}},
     };
     return all;
 }

@@ -37,11 +37,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         if (index < 0) return;
         QMenu menu(this);
         connect(menu.addAction(tr("Close")), &QAction::triggered, this, [this, index] { closePage(index); });
-        connect(menu.addAction(tr("Close Others")), &QAction::triggered, this, [this, index] {
-            QWidget* keep = widget(index);
-            for (int i = count() - 1; i >= 0; --i)
-                if (widget(i) != keep && !closePage(i)) return;
-        });
+        connect(menu.addAction(tr("Close Others")), &QAction::triggered, this, [this, index] { closeOthers(index); });
         menu.exec(tabBar()->mapToGlobal(at));
     });
     connect(&workspace, &editor::Workspace::analysed, this,
@@ -338,6 +334,17 @@ void EditorTabs::saveCurrent() {
 
 void EditorTabs::saveAll() {
     if (saveModified()) emit saved();
+}
+
+void EditorTabs::closeOthers(int index) {
+    const QWidget* keep = widget(index);
+    for (int i = count() - 1; i >= 0; --i)
+        if (widget(i) != keep && !closePage(i)) return;
+}
+
+void EditorTabs::moveCurrent(int by) {
+    const int to = currentIndex() + by;
+    if (currentIndex() >= 0 && to >= 0 && to < count()) tabBar()->moveTab(currentIndex(), to);
 }
 
 bool EditorTabs::closePage(int index) {

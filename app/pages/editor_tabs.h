@@ -54,6 +54,9 @@ public:
     void markPage(const QString& key, bool modified);
     [[nodiscard]] QWidget* pageByKey(const QString& key) const;
     bool closePage(int index);
+    void closeOthers(int index); // as long as nobody cancels
+    /// The tab in front, among the others.
+    void moveCurrent(int by);
     bool closeAll(); // asks for unsaved files; false = cancelled
     /// Asked before a page closes that is no ST file; false keeps it.
     void setMayClose(std::function<bool(QWidget*)> mayClose) { m_mayClose = std::move(mayClose); }

@@ -213,6 +213,11 @@ bool Canvas::exportPdf(const QString& path) const {
     return painter.end();
 }
 
+QPoint Canvas::menuPlace(const QRectF& part) const {
+    const QRect shown = mapFromScene(part).boundingRect() & viewport()->rect();
+    return viewport()->mapToGlobal(shown.isEmpty() ? QPoint(8, 8) : shown.bottomLeft());
+}
+
 void Canvas::copyPicture() const { QApplication::clipboard()->setImage(picture(2)); }
 
 void Canvas::print(QPrinter& printer, const QString& title) const {

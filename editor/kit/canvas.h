@@ -36,6 +36,8 @@ public:
     bool exportPdf(const QString& path) const;
     QImage picture(double scale = 1) const;
     void copyPicture() const;
+    /// Where the menu of a part opens that is asked for by key, in global coordinates.
+    [[nodiscard]] QPoint menuPlace(const QRectF& part) const;
     /// Ink on white, over as many pages as it takes.
     void print(QPrinter& printer, const QString& title) const;
 

@@ -5,6 +5,7 @@
 #include "app/documents/unit_commands.h"
 #include "app/exchange/exchange_dialogs.h"
 #include "app/online/devices_view.h"
+#include "app/online/inside_views.h"
 #include "app/pages/editor_tabs.h"
 #include "app/pages/merge_dialog.h"
 #include "app/pages/st_page.h"
@@ -133,10 +134,6 @@ void lookAtWhatOpens(const Look& look, const QString& name, QWidget* (*opened)()
     EXPECT_TRUE(isSeen) << name.toStdString() << " did not open";
 }
 
-void lookAtDialog(const Look& look, const QString& name, const std::function<void()>& open) {
-    lookAtWhatOpens(look, name, &QApplication::activeModalWidget, open);
-}
-
 /// The menu of the right button at the middle of a row, or of the widget.
 void lookAtMenuOf(const Look& look, const QString& name, QWidget* widget) {
     ASSERT_NE(widget, nullptr) << name.toStdString();
@@ -151,7 +148,37 @@ void lookAtMenuOf(const Look& look, const QString& name, QWidget* widget) {
     });
 }
 
+const char* const kDevices = R"({"devices": [
+  {"name": "Line", "protocol": "modbus-tcp", "host": "127.0.0.1", "port": 1502,
+   "channels": [{"name": "Count", "variable": "Main.counter", "table": "input", "address": 0}]},
+  {"name": "Broker", "protocol": "mqtt", "host": "127.0.0.1",
+   "channels": [{"name": "Done", "variable": "Main.done", "topic": "plant/done", "direction": "out"}]}]}
+)";
+
+/// Each one in front of those that share its place.
+void lookAtAllDocks(MainWindow& window, const Look& look) {
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        window.showDock(dock->objectName());
+        settle();
+        look(window, dock->objectName());
+    }
+    window.showDock("devices");
+    auto* devices = window.findChild<DevicesView*>()->findChild<QTreeWidget*>();
+    ASSERT_NE(devices, nullptr);
+    ASSERT_GT(devices->topLevelItemCount(), 1);
+    for (int row = 0; row < devices->topLevelItemCount(); ++row)
+        for (QTreeWidgetItem* item : {devices->topLevelItem(row), devices->topLevelItem(row)->child(0)}) {
+            devices->setCurrentItem(item);
+            settle();
+            look(window, "devices: " + (item ? item->text(0) : QString()));
+        }
+}
+
 } // namespace
+
+void lookAtDialog(const Look& look, const QString& name, const std::function<void()>& open) {
+    lookAtWhatOpens(look, name, &QApplication::activeModalWidget, open);
+}
 
 std::vector<QWidget*> widgetsOf(QWidget& window) {
     std::vector<QWidget*> out{&window};
@@ -163,6 +190,7 @@ void writeProjectOfAllKinds(const QString& folder) {
     write(folder + "/src/motor.st", kMotor);
     write(folder + "/src/steps.st", kSteps);
     write(folder + "/src/rungs.st", kRungs);
+    write(folder + "/devices.json", kDevices);
     write(folder + "/tests/first.st", "TEST 'turns'\nRUN T#20ms;\nASSERT Main.counter > 0;\nEND_TEST\n");
     write(folder + "/hmi/all.panel.json", panelOfAllKinds());
     write(folder + "/hmi/alarms.json", kAlarms);
@@ -190,11 +218,7 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     ASSERT_TRUE(tests && waitFor([&] { return !tests->isRunning(); }));
     settle();
     look(window, "main window");
-    for (const char* dock : {"why", "tuning", "devices"}) {
-        window.showDock(dock);
-        settle();
-        look(window, dock);
-    }
+    lookAtAllDocks(window, look);
     StPage* page = window.tabs().openFile("src/main.st");
     page->findBar().open(true);
     page->toggleTable();
@@ -276,6 +300,10 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
     ASSERT_TRUE(waitFor([&] { return window.control().status().state == controller::State::Paused; }));
     window.control().view(5);
     lookAtDialog(look, "what if", [&] { window.action("time.whatIf")->trigger(); });
+    window.action("time.walk")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window.inside().slowScan().isOpen(); }));
+    settle();
+    look(window, "walk through a scan");
     window.backToLive();
     lookAtExplanation(window, look);
     lookAtDialog(look, "differences", [&] {
@@ -287,6 +315,7 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
         designer->selection().set({designer->document().panel().elements().front().id()});
         lookAtDialog(look, "array", [&] { designer->duplicateAsArray(); });
     }
+    lookAtDesignDialogs(window, look);
 }
 
 void lookAtAllMenus(MainWindow& window, const Look& look) {

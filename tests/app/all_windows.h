@@ -14,6 +14,10 @@ using Look = std::function<void(QWidget& window, const QString& name)>;
 void writeProjectOfAllKinds(const QString& folder);
 void lookAtAllDocuments(MainWindow& window, const Look& look);
 void lookAtAllDialogs(MainWindow& window, const Look& look);
+/// Those of the panels, their texts, recipes and users.
+void lookAtDesignDialogs(MainWindow& window, const Look& look);
+/// What `open` shows, which runs until the one who looked is done.
+void lookAtDialog(const Look& look, const QString& name, const std::function<void()>& open);
 /// Those of the menu bar, and the ones that open with the right button.
 void lookAtAllMenus(MainWindow& window, const Look& look);
 

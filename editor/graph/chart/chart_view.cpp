@@ -556,10 +556,13 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
 }
 
 void ChartView::contextMenuEvent(QContextMenuEvent* event) {
-    const Picked under = pickedAt(m_canvas->viewport()->mapFromGlobal(event->globalPos()));
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard; // then it is about what is selected
+    const Picked under = isByKey ? picked() : pickedAt(m_canvas->viewport()->mapFromGlobal(event->globalPos()));
+    QPoint at = event->globalPos();
     if (QGraphicsItem* item = m_scene->itemOf(under.kind, under.index, under.sub)) {
         m_scene->clearSelection();
         item->setSelected(true);
+        if (isByKey) at = m_canvas->menuPlace(item->sceneBoundingRect());
     }
     const Picked p = picked();
     QMenu menu(this);
@@ -605,7 +608,7 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
         if (p.kind == ChartScene::Transition)
             add(kit::Icon::Delete, tr("Delete the Whole Branch"), &ChartView::deleteBranch);
     }
-    menu.exec(event->globalPos());
+    menu.exec(at);
 }
 
 } // namespace plc::editor

@@ -89,6 +89,8 @@ void LadderView::showKeys() {
     add(tr("Arrows"), tr("Select the next part; Up and Down also the next rung"));
     add(QKeySequence(Qt::CTRL | Qt::Key_Up).toString(QKeySequence::NativeText),
         tr("Move the rung up; with Down, down"));
+    add(QKeySequence(Qt::CTRL | Qt::Key_Left).toString(QKeySequence::NativeText),
+        tr("Move the contact left; with Right, right"));
     add("/", tr("Typed before a name: a negated contact"));
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Keys in Ladder and Function Block Diagrams"),
                                 "<table>" + rows + "</table>", QMessageBox::Close, this);
@@ -105,9 +107,9 @@ void LadderView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Enter:
         return editSelected();
     case Qt::Key_Left:
-        return selectTowards(-1, 0);
+        return control ? moveContact(-1) : selectTowards(-1, 0);
     case Qt::Key_Right:
-        return selectTowards(1, 0);
+        return control ? moveContact(1) : selectTowards(1, 0);
     case Qt::Key_Up:
         return control ? moveRung(-1) : selectTowards(0, -1);
     case Qt::Key_Down:
@@ -136,17 +138,16 @@ bool LadderView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void LadderView::contextMenuEvent(QContextMenuEvent* event) {
-    const LadderPick under =
-        m_scene->pickAt(m_canvas->mapToScene(m_canvas->viewport()->mapFromGlobal(event->globalPos())));
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard; // then it is about what is selected
+    const QPointF clicked = m_canvas->mapToScene(m_canvas->viewport()->mapFromGlobal(event->globalPos()));
+    const LadderPick under = isByKey ? m_scene->picked() : m_scene->pickAt(clicked);
     if (under.rung.isValid()) m_scene->select(under);
     const Node* node = pickedNode();
     QMenu menu(this);
     const auto add = [&](kit::Icon icon, const QString& text, auto run) {
         connect(menu.addAction(kit::icon(icon), text), &QAction::triggered, this, run);
     };
-    const auto gap =
-        m_isStale ? std::nullopt
-                  : m_scene->gapAt(m_canvas->mapToScene(m_canvas->viewport()->mapFromGlobal(event->globalPos())));
+    const auto gap = m_isStale || isByKey ? std::nullopt : m_scene->gapAt(clicked);
     if (gap) addWireMenu(menu, *gap);
     if (!m_isStale) {
         add(kit::Icon::Add, tr("Insert a Rung Above"), &LadderView::insertRungAbove);
@@ -182,7 +183,7 @@ void LadderView::contextMenuEvent(QContextMenuEvent* event) {
     }
     add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), &LadderView::toggleBreakpoint);
     add(kit::Icon::Marker, tr("Toggle Bookmark"), &LadderView::toggleBookmark);
-    menu.exec(event->globalPos());
+    menu.exec(isByKey && under.rung.isValid() ? m_canvas->menuPlace(m_scene->rectOf(under)) : event->globalPos());
 }
 
 } // namespace plc::editor

@@ -113,6 +113,19 @@ bool LadderView::moved(const QMouseEvent& mouse) {
     return true;
 }
 
+/// As dragging it: to the other side of the contact that is next in this direction.
+void LadderView::moveContact(int direction) {
+    const LadderPick moved = m_scene->picked();
+    if (!moved.node.isValid() || !canEdit()) return;
+    if (!isMovableContact(m_diagram[moved.node])) return emit failed(tr("Select a contact; a rung moves up and down"));
+    selectTowards(direction, 0);
+    const LadderPick beside = m_scene->picked();
+    m_scene->select(moved);
+    if (!beside.node.isValid() || beside == moved || !isMovableContact(m_diagram[beside.node])) return;
+    request(editor().moveContact(moved.node, beside.node, direction < 0 ? Place::Before : Place::After),
+            kit::fromView(m_diagram[moved.node].label));
+}
+
 Result<LadderView::Edits> LadderView::moveTo(QPointF point) const {
     if (isContactDragged()) {
         const auto gap = gapBeside(point);

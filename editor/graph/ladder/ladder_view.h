@@ -47,6 +47,7 @@ public:
     void editSelected();
     void editComment();
     void moveRung(int direction);
+    void moveContact(int direction); // past its neighbour
     void toggleBreakpoint();
     void forceSelected(const QString& value); // empty: released
     void toggleForm();

@@ -3,11 +3,14 @@
 #include "editor/kit/theme.h"
 
 #include <QColorDialog>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QScreen>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace plc::kit {
 
@@ -34,6 +37,7 @@ ColorPopup::ColorPopup(const QColor& current, bool offersNone, QWidget* parent)
     : QFrame(parent, Qt::Popup), m_current(current) {
     setAttribute(Qt::WA_DeleteOnClose);
     setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Colours"));
     const int rows = (static_cast<int>(swatches().size()) + Columns - 1) / Columns;
     auto* layout = new QVBoxLayout(this);
@@ -66,6 +70,7 @@ void ColorPopup::openBelow(const QRect& global) {
     }
     move(at);
     show();
+    setFocus(Qt::PopupFocusReason); // the arrows begin at once
 }
 
 QRect ColorPopup::cell(int index) const {
@@ -99,11 +104,47 @@ void ColorPopup::paintEvent(QPaintEvent*) {
 }
 
 void ColorPopup::mouseMoveEvent(QMouseEvent* event) {
-    const int hot = cellAt(event->pos());
-    if (hot == m_hot) return;
-    m_hot = hot;
+    if (const int hot = cellAt(event->pos()); hot != m_hot) point(hot);
+}
+
+/// As the one that would be chosen; -1: none.
+void ColorPopup::point(int index) {
+    m_hot = index;
+    const QColor color = index >= 0 ? swatches()[static_cast<size_t>(index)] : m_current;
+    setAccessibleDescription(color.name());
     update();
-    emit hovered(hot >= 0 ? swatches()[static_cast<size_t>(hot)] : m_current);
+    emit hovered(color);
+}
+
+void ColorPopup::keyPressEvent(QKeyEvent* event) {
+    const int count = static_cast<int>(swatches().size());
+    const auto found = std::find_if(swatches().begin(), swatches().end(),
+                                    [&](const QColor& each) { return each.rgba() == m_current.rgba(); });
+    const int now = m_hot >= 0                                         ? m_hot
+                    : m_current.isValid() && found != swatches().end() ? static_cast<int>(found - swatches().begin())
+                                                                       : -1;
+    const auto go = [&](int by) {
+        const int to = now < 0 ? 0 : now + by;
+        if (to >= 0 && to < count) return point(to);
+        if (by > 0) focusNextChild(); // below the colours are the buttons
+    };
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return go(-1);
+    case Qt::Key_Right:
+        return go(1);
+    case Qt::Key_Up:
+        return go(-Columns);
+    case Qt::Key_Down:
+        return go(Columns);
+    case Qt::Key_Space:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (now >= 0) choose(swatches()[static_cast<size_t>(now)]);
+        return;
+    default:
+        QFrame::keyPressEvent(event);
+    }
 }
 
 void ColorPopup::mousePressEvent(QMouseEvent* event) {

@@ -24,11 +24,13 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     QRect cell(int index) const;
     int cellAt(const QPoint& point) const;
     void choose(const QColor& color);
+    void point(int index);
 
     QColor m_current;
     int m_hot = -1;

@@ -49,7 +49,7 @@ public:
         layout->setSpacing(0);
         m_button = new QToolButton(this);
         m_button->setIcon(icon(which));
-        m_button->setToolTip(toolTip);
+        m_button->setToolTip(QStringLiteral("%1 (%2)").arg(toolTip, keys().toString(QKeySequence::NativeText)));
         m_button->setFocusPolicy(Qt::NoFocus);
         layout->addWidget(line);
         layout->addWidget(m_button);
@@ -58,6 +58,8 @@ public:
     }
     ExpressionEdit* line() const { return m_line; }
     QToolButton* button() const { return m_button; }
+    /// What the button does, while the line has the keyboard.
+    static QKeySequence keys() { return Qt::ALT | Qt::Key_Down; }
 
 private:
     ExpressionEdit* m_line;
@@ -310,7 +312,13 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
     if (editor && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         auto* line = qobject_cast<ExpressionEdit*>(editor);
-        if (auto* both = dynamic_cast<LineWithButton*>(editor)) line = both->line();
+        if (auto* both = dynamic_cast<LineWithButton*>(editor)) {
+            line = both->line();
+            if (QKeySequence(static_cast<QKeyEvent*>(event)->keyCombination()) == LineWithButton::keys()) {
+                both->button()->click();
+                return true;
+            }
+        }
         if (line && line->isCompletionShown() &&
             (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Escape))
             return false;

@@ -522,13 +522,30 @@ void DesignCanvas::wheelEvent(QWheelEvent* event) {
     QAbstractScrollArea::wheelEvent(event);
 }
 
-void DesignCanvas::contextMenuEvent(QContextMenuEvent* event) { emit contextMenuRequested(event->globalPos()); }
+void DesignCanvas::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() != QContextMenuEvent::Keyboard) return emit contextMenuRequested(event->globalPos());
+    const QRect selected = toViewport(boundsOf(m_document.panel(), m_selection.ids())).toRect() & viewport()->rect();
+    emit contextMenuRequested(viewport()->mapToGlobal(selected.isEmpty() ? QPoint(8, 8) : selected.bottomLeft()));
+}
 
 // ---- keys
 
 void DesignCanvas::nudge(QPointF by) {
     const ElementIds ids = movable();
     if (!ids.empty()) m_document.perform(tr("Move"), moveBy(m_document.panel(), ids, by));
+}
+
+/// As a double click: into a group, to its first element; else to the text or the variable of the element.
+void DesignCanvas::openSelected() {
+    if (m_selection.ids().size() != 1) return;
+    const Element* element = m_document.panel().find(m_selection.ids().front());
+    if (!element) return;
+    if (element->kind() != ElementKind::Group) return emit editRequested(element->id());
+    for (const Element& each : m_document.panel().elements())
+        if (each.parent() == element->id()) {
+            m_entered = element->id();
+            return m_selection.set({each.id()});
+        }
 }
 
 void DesignCanvas::deleteSelection() {
@@ -568,6 +585,9 @@ void DesignCanvas::keyPressEvent(QKeyEvent* event) {
                  .id()});
         return;
     }
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return openSelected();
     case Qt::Key_Space:
         if (event->isAutoRepeat()) return;
         m_space = true;

@@ -110,6 +110,7 @@ private:
     void bandTo(QPointF at);
     void nudge(QPointF by);
     void deleteSelection();
+    void openSelected();
     void drawRulers(QPainter& painter);
     void drawGrid(QPainter& painter);
     void drawSelection(QPainter& painter);

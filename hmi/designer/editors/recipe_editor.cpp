@@ -53,6 +53,8 @@ RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
         if (path || !m_context.picker()) addVariable(path.value_or(QString()));
     });
     bar->addAction(kit::icon(kit::Icon::Table), tr("Add a Set"), this, &RecipeEditor::addSet);
+    bar->addAction(kit::icon(kit::Icon::Rename), tr("Rename Set"), this,
+                   [this] { askForSetName(m_table->currentColumn()); });
     bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove Row or Set"), this, &RecipeEditor::removeSelected);
     bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove Recipe"), this, &RecipeEditor::removeRecipe);
     bar->addSeparator();
@@ -187,7 +189,8 @@ void RecipeEditor::addSet() {
 }
 
 void RecipeEditor::askForSetName(int column) {
-    if (column < FirstSet || !current()) return;
+    if (!current()) return;
+    if (column < FirstSet) return refuse(tr("Select a cell of the set that is to be renamed."));
     bool isGiven = false;
     const QString name = QInputDialog::getText(this, tr("Rename Set"), tr("Name:"), QLineEdit::Normal,
                                                current()->sets[static_cast<size_t>(column - FirstSet)].name, &isGiven);

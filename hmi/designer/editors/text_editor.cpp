@@ -199,6 +199,16 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     });
     if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(language)))
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove the language"), this, [this] {
+        const int column = m_view->currentIndex().column() - TextModel::FirstLanguage;
+        const QStringList tags = m_model->table().tags();
+        if (column < 0 || column >= tags.size())
+            m_users->setText(tr("Select a cell of the language that is to be removed."));
+        else if (tags.size() < 2)
+            m_users->setText(tr("A table of texts keeps one language; add another one first."));
+        else
+            removeLanguage(tags[column]);
+    });
     bar->addSeparator();
     // The words say what the table is exchanged with: the icons are the same.
     QMenu* imports = kit::addBarMenu(*bar, kit::icon(kit::Icon::Import), tr("Import"));

@@ -294,7 +294,8 @@ TEST_F(Fixture, AnImageThatIsTooSmallGivesAReason) {
     load(dint, 400);
     const Expression expression = finish(dint);
     const std::span<const std::byte> small(image.data(), 402);
-    EXPECT_EQ(expression.evaluate(small).reason.english(), "not in this image");
+    EXPECT_EQ(expression.evaluate(small).reason.english(),
+              "the program of this scan does not have it; choose a later scan");
     EXPECT_EQ(expression.number(small), std::nullopt);
     EXPECT_EQ(expression.number(image), 0.0);
 }
