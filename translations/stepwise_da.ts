@@ -6648,10 +6648,6 @@
         <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
-    </message>
-    <message>
         <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
         <translation>Den sandsynlige årsag er en ventil, der hænger, eller en forstyrrelse udefra; optagelsen kan ikke skelne mellem dem. Skift regulatoren til manuel: Hører svingningen op, hænger ventilen; fortsætter den, kommer årsagen udefra.</translation>
     </message>
@@ -12458,6 +12454,41 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Kolonne %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Tilpas til indholdet</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Bredere</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Smallere</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Flyt til venstre</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Flyt til højre</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Sorter stigende</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Sorter faldende</translation>
+    </message>
+</context>
+<context>
     <name>plc::kit::CommandPalette</name>
     <message>
         <source>Command palette</source>
@@ -13325,271 +13356,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt *.trace);;Alle filer (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Navn</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Kommentar</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protokol</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Aktiveret</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Vært</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Port</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Enhedsnummer</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Seriel port</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Paritet</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Databit</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Stopbit</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Aflæsningsinterval</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Tidsgrænse</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Længste pause mellem forsøg</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variabel: enheden svarer</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Klient-id</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Bruger</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Adgangskodefil</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>TLS-kryptering</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Fil med CA-certifikater</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variabel</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Retning</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tabel</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit i registret</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Byterækkefølge</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Offset</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Sti i JSON-meddelelsen</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Servicekvalitet (QoS 0 til 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Broker beholder meddelelsen (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>Ved tabt forbindelse</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Sikker værdi</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variabel: kanalen er gyldig</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Modbus TCP-enhed</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Modbus RTU-enhed (seriel)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Modbus TCP-server</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>MQTT-broker</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Coil</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Diskret indgang</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Holderegister</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Inputregister (indgang)</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Behold den seneste værdi</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Brug den sikre værdi</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Stop styringen</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ingen</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Lige</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Ulige</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Indgang</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Udgang</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Ja</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Nej</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::ColumnMenu</name>
-    <message>
-        <source>Column %1</source>
-        <translation>Kolonne %1</translation>
-    </message>
-    <message>
-        <source>Fit to Contents</source>
-        <translation>Tilpas til indholdet</translation>
-    </message>
-    <message>
-        <source>Wider</source>
-        <translation>Bredere</translation>
-    </message>
-    <message>
-        <source>Narrower</source>
-        <translation>Smallere</translation>
-    </message>
-    <message>
-        <source>Move Left</source>
-        <translation>Flyt til venstre</translation>
-    </message>
-    <message>
-        <source>Move Right</source>
-        <translation>Flyt til højre</translation>
-    </message>
-    <message>
-        <source>Sort Ascending</source>
-        <translation>Sorter stigende</translation>
-    </message>
-    <message>
-        <source>Sort Descending</source>
-        <translation>Sorter faldende</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
     </message>
 </context>
 </TS>

@@ -6648,10 +6648,6 @@
         <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
-    </message>
-    <message>
         <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
         <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil oder eine Störung von außen; die Aufzeichnung lässt beides nicht unterscheiden. Schalten Sie den Regler auf Hand: Hört die Schwingung auf, klemmt das Ventil; bleibt sie, kommt die Ursache von außen.</translation>
     </message>
@@ -12458,6 +12454,41 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>An Inhalt anpassen</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Breiter</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Schmaler</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Aufsteigend sortieren</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Absteigend sortieren</translation>
+    </message>
+</context>
+<context>
     <name>plc::kit::CommandPalette</name>
     <message>
         <source>Command palette</source>
@@ -13325,271 +13356,6 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt *.trace);;Alle Dateien (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Kommentar</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Aktiviert</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Host</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Port</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Gerätenummer</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Serielle Schnittstelle</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Parität</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Datenbits</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Stoppbits</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Abfrageintervall</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Zeitlimit</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Längste Pause zwischen Versuchen</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variable: Gerät antwortet</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Client-ID</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Benutzer</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Passwortdatei</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>TLS-Verschlüsselung</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Datei der CA-Zertifikate</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tabelle</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit des Registers</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Typ</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Bytereihenfolge</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Offset</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Pfad in der JSON-Nachricht</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Dienstgüte (QoS 0 bis 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Nachricht bleibt beim Broker (Retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>Bei Verbindungsverlust</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Sicherer Wert</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variable: Kanal ist gültig</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Modbus-TCP-Gerät</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Modbus-RTU-Gerät (seriell)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Modbus-TCP-Server</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>MQTT-Broker</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Coil</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Diskreter Eingang</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Halteregister</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Eingangsregister</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Letzten Wert behalten</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Sicheren Wert verwenden</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Steuerung anhalten</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Gerade</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Ungerade</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Eingang</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Ausgang</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Ja</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Nein</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::ColumnMenu</name>
-    <message>
-        <source>Column %1</source>
-        <translation>Spalte %1</translation>
-    </message>
-    <message>
-        <source>Fit to Contents</source>
-        <translation>An Inhalt anpassen</translation>
-    </message>
-    <message>
-        <source>Wider</source>
-        <translation>Breiter</translation>
-    </message>
-    <message>
-        <source>Narrower</source>
-        <translation>Schmaler</translation>
-    </message>
-    <message>
-        <source>Move Left</source>
-        <translation>Nach links</translation>
-    </message>
-    <message>
-        <source>Move Right</source>
-        <translation>Nach rechts</translation>
-    </message>
-    <message>
-        <source>Sort Ascending</source>
-        <translation>Aufsteigend sortieren</translation>
-    </message>
-    <message>
-        <source>Sort Descending</source>
-        <translation>Absteigend sortieren</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
     </message>
 </context>
 </TS>

@@ -6648,10 +6648,6 @@
         <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
-    </message>
-    <message>
         <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
         <translation>La causa probable es una válvula que se atasca o una perturbación externa; la grabación no permite distinguirlas. Pase el regulador a manual: si la oscilación cesa, la válvula se atasca; si continúa, la causa es externa.</translation>
     </message>
@@ -12458,6 +12454,41 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Columna %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Ajustar al contenido</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Más ancha</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Más estrecha</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Mover a la izquierda</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Mover a la derecha</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Orden ascendente</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Orden descendente</translation>
+    </message>
+</context>
+<context>
     <name>plc::kit::CommandPalette</name>
     <message>
         <source>Command palette</source>
@@ -13325,271 +13356,6 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt *.trace);;Todos los archivos (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Comentario</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protocolo</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Habilitado</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Equipo</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Puerto</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Número de unidad</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Puerto serie</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Velocidad de transmisión</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Paridad</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Bits de datos</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Bits de parada</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Intervalo de sondeo</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Tiempo de espera</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Pausa máxima entre intentos</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variable: el dispositivo responde</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Identificador del cliente</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Usuario</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Archivo de la contraseña</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>Cifrado TLS</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Archivo de certificados de la CA</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tabla</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit del registro</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Orden de los bytes</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Factor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Desplazamiento</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Ruta en el mensaje JSON</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Calidad de servicio (QoS, 0 a 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Mensaje retenido (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>Si se pierde la conexión</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Valor seguro</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variable: el canal es válido</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Dispositivo Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Dispositivo Modbus RTU (serie)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Servidor Modbus TCP</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>Bróker MQTT</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobina (coil)</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Entrada discreta</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Registro de retención</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Registro de entrada</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Conservar el último valor</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Usar el valor seguro</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Parar el controlador</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ninguna</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Par</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Impar</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Entrada</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Salida</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Sí</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>No</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::ColumnMenu</name>
-    <message>
-        <source>Column %1</source>
-        <translation>Columna %1</translation>
-    </message>
-    <message>
-        <source>Fit to Contents</source>
-        <translation>Ajustar al contenido</translation>
-    </message>
-    <message>
-        <source>Wider</source>
-        <translation>Más ancha</translation>
-    </message>
-    <message>
-        <source>Narrower</source>
-        <translation>Más estrecha</translation>
-    </message>
-    <message>
-        <source>Move Left</source>
-        <translation>Mover a la izquierda</translation>
-    </message>
-    <message>
-        <source>Move Right</source>
-        <translation>Mover a la derecha</translation>
-    </message>
-    <message>
-        <source>Sort Ascending</source>
-        <translation>Orden ascendente</translation>
-    </message>
-    <message>
-        <source>Sort Descending</source>
-        <translation>Orden descendente</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
     </message>
 </context>
 </TS>

@@ -5504,15 +5504,15 @@
     </message>
     <message>
         <source>{0} µs</source>
-        <translation>{0} µs</translation>
+        <translation>{0}&#xa0;µs</translation>
     </message>
     <message>
         <source>{0} s</source>
-        <translation>{0} s</translation>
+        <translation>{0}&#xa0;s</translation>
     </message>
     <message>
         <source>{0} min {1} s</source>
-        <translation>{0} min {1} s</translation>
+        <translation>{0}&#xa0;min {1}&#xa0;s</translation>
     </message>
     <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>
@@ -6646,10 +6646,6 @@
     <message>
         <source>The settings are the likely cause: with the model, the loop oscillates with this period.</source>
         <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
-    </message>
-    <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
     </message>
     <message>
         <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
@@ -12458,6 +12454,41 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>Colonne %1</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>Ajuster au contenu</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Plus large</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>Plus étroite</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Déplacer à gauche</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Déplacer à droite</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>Trier par ordre croissant</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>Trier par ordre décroissant</translation>
+    </message>
+</context>
+<context>
     <name>plc::kit::CommandPalette</name>
     <message>
         <source>Command palette</source>
@@ -13325,271 +13356,6 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt *.trace);;Tous les fichiers (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Commentaire</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protocole</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>Activé</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Hôte</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Port</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Numéro d’unité</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Port série</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Vitesse de transmission</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>Parité</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>Bits de données</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>Bits d’arrêt</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>Intervalle de scrutation</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>Délai d’attente</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>Pause maximale entre les tentatives</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>Variable&#xa0;: l’appareil répond</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>Identifiant du client</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>Utilisateur</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>Fichier du mot de passe</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>Chiffrement TLS</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>Fichier des certificats de l’AC</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Direction</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Table</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>Bit du registre</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Ordre des octets</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Facteur</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>Topic</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>Chemin dans le message JSON</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>Qualité de service (QoS 0 à 2)</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>Message conservé par le broker (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>En cas de perte de connexion</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>Valeur sûre</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>Variable&#xa0;: la voie est valide</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Appareil Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Appareil Modbus RTU (série)</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Serveur Modbus TCP</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>Broker MQTT</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobine (coil)</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>Entrée discrète</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>Registre de maintien</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>Registre d’entrée</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>Garder la dernière valeur</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>Utiliser la valeur sûre</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>Arrêter l’automate</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucune</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Paire</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>Impaire</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Sortie</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Oui</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Non</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::ColumnMenu</name>
-    <message>
-        <source>Column %1</source>
-        <translation>Colonne %1</translation>
-    </message>
-    <message>
-        <source>Fit to Contents</source>
-        <translation>Ajuster au contenu</translation>
-    </message>
-    <message>
-        <source>Wider</source>
-        <translation>Plus large</translation>
-    </message>
-    <message>
-        <source>Narrower</source>
-        <translation>Plus étroite</translation>
-    </message>
-    <message>
-        <source>Move Left</source>
-        <translation>Déplacer à gauche</translation>
-    </message>
-    <message>
-        <source>Move Right</source>
-        <translation>Déplacer à droite</translation>
-    </message>
-    <message>
-        <source>Sort Ascending</source>
-        <translation>Trier par ordre croissant</translation>
-    </message>
-    <message>
-        <source>Sort Descending</source>
-        <translation>Trier par ordre décroissant</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Vue</translation>
     </message>
 </context>
 </TS>

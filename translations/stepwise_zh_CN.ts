@@ -6646,10 +6646,6 @@
         <translation>原因可能是参数设置：按模型，回路会以此周期振荡。</translation>
     </message>
     <message>
-        <source>A sticking valve is the likely cause: the output moves evenly, but the process responds in jumps.</source>
-        <translation>原因可能是阀门卡涩：输出平稳变化，而过程以跳变响应。</translation>
-    </message>
-    <message>
         <source>A sticking valve or an external disturbance is the likely cause; the recording cannot tell them apart. Switch the controller to manual: if the oscillation stops, the valve sticks; if it continues, the cause is external.</source>
         <translation>原因可能是阀门卡涩或外部扰动；仅凭记录无法区分。请将调节器切换到手动：若振荡停止，则阀门卡涩；若振荡继续，则原因在外部。</translation>
     </message>
@@ -12437,6 +12433,41 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::kit::ColumnMenu</name>
+    <message>
+        <source>Column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>Fit to Contents</source>
+        <translation>适应内容</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>加宽</translation>
+    </message>
+    <message>
+        <source>Narrower</source>
+        <translation>收窄</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>左移</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>右移</translation>
+    </message>
+    <message>
+        <source>Sort Ascending</source>
+        <translation>升序排序</translation>
+    </message>
+    <message>
+        <source>Sort Descending</source>
+        <translation>降序排序</translation>
+    </message>
+</context>
+<context>
     <name>plc::kit::CommandPalette</name>
     <message>
         <source>Command palette</source>
@@ -13303,271 +13334,6 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
         <translation>记录和表格 (*.rec *.csv *.tsv *.txt *.trace);;所有文件 (*)</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceFields</name>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>注释</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>协议</translation>
-    </message>
-    <message>
-        <source>Enabled</source>
-        <translation>启用</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>主机</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>端口</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>站号</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>串口</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>波特率</translation>
-    </message>
-    <message>
-        <source>Parity</source>
-        <translation>奇偶校验</translation>
-    </message>
-    <message>
-        <source>Data bits</source>
-        <translation>数据位</translation>
-    </message>
-    <message>
-        <source>Stop bits</source>
-        <translation>停止位</translation>
-    </message>
-    <message>
-        <source>Poll interval</source>
-        <translation>轮询间隔</translation>
-    </message>
-    <message>
-        <source>Timeout</source>
-        <translation>超时时间</translation>
-    </message>
-    <message>
-        <source>Longest pause between attempts</source>
-        <translation>重试的最长间隔</translation>
-    </message>
-    <message>
-        <source>Variable: device responds</source>
-        <translation>变量：设备有应答</translation>
-    </message>
-    <message>
-        <source>Client ID</source>
-        <translation>客户端标识</translation>
-    </message>
-    <message>
-        <source>User</source>
-        <translation>用户</translation>
-    </message>
-    <message>
-        <source>Password file</source>
-        <translation>密码文件</translation>
-    </message>
-    <message>
-        <source>TLS encryption</source>
-        <translation>TLS 加密</translation>
-    </message>
-    <message>
-        <source>File of CA certificates</source>
-        <translation>CA 证书文件</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>变量</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>方向</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>表</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>Bit of the register</source>
-        <translation>寄存器的位</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>字节顺序</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>系数</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>偏移</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>Path in the JSON message</source>
-        <translation>JSON 消息中的路径</translation>
-    </message>
-    <message>
-        <source>Quality of service (0 to 2)</source>
-        <translation>服务质量（QoS 0 到 2）</translation>
-    </message>
-    <message>
-        <source>Retained message</source>
-        <translation>保留消息 (retain)</translation>
-    </message>
-    <message>
-        <source>If the connection is lost</source>
-        <translation>连接断开时</translation>
-    </message>
-    <message>
-        <source>Safe value</source>
-        <translation>安全值</translation>
-    </message>
-    <message>
-        <source>Variable: channel is good</source>
-        <translation>变量：通道有效</translation>
-    </message>
-    <message>
-        <source>Modbus TCP device</source>
-        <translation>Modbus TCP 设备</translation>
-    </message>
-    <message>
-        <source>Modbus RTU device (serial)</source>
-        <translation>Modbus RTU 设备（串行）</translation>
-    </message>
-    <message>
-        <source>Modbus TCP server</source>
-        <translation>Modbus TCP 服务器</translation>
-    </message>
-    <message>
-        <source>MQTT broker</source>
-        <translation>MQTT 代理</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>线圈</translation>
-    </message>
-    <message>
-        <source>Discrete input</source>
-        <translation>离散输入</translation>
-    </message>
-    <message>
-        <source>Holding register</source>
-        <translation>保持寄存器</translation>
-    </message>
-    <message>
-        <source>Input register</source>
-        <translation>输入寄存器</translation>
-    </message>
-    <message>
-        <source>Keep the last value</source>
-        <translation>保持最后的值</translation>
-    </message>
-    <message>
-        <source>Use the safe value</source>
-        <translation>使用安全值</translation>
-    </message>
-    <message>
-        <source>Stop the controller</source>
-        <translation>停止控制器</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>偶校验</translation>
-    </message>
-    <message>
-        <source>Odd</source>
-        <translation>奇校验</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>输入</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>输出</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>是</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>否</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::ColumnMenu</name>
-    <message>
-        <source>Column %1</source>
-        <translation>第 %1 列</translation>
-    </message>
-    <message>
-        <source>Fit to Contents</source>
-        <translation>适应内容</translation>
-    </message>
-    <message>
-        <source>Wider</source>
-        <translation>加宽</translation>
-    </message>
-    <message>
-        <source>Narrower</source>
-        <translation>收窄</translation>
-    </message>
-    <message>
-        <source>Move Left</source>
-        <translation>左移</translation>
-    </message>
-    <message>
-        <source>Move Right</source>
-        <translation>右移</translation>
-    </message>
-    <message>
-        <source>Sort Ascending</source>
-        <translation>升序排序</translation>
-    </message>
-    <message>
-        <source>Sort Descending</source>
-        <translation>降序排序</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>画面</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 #include "tests/app/all_windows.h"
 #include "tests/support/settle.h"
 
+#include "app/documents/design_pages.h"
 #include "app/pages/editor_tabs.h"
 #include "app/pages/st_page.h"
 #include "app/start/start_page.h"
@@ -46,7 +47,7 @@ QAction* actionCalled(QWidget& page, const char* context, const char* english) {
 } // namespace
 
 void lookAtDesignDialogs(MainWindow& window, const Look& look) {
-    window.openTexts();
+    window.designs().openTexts();
     auto* texts = qobject_cast<hmi::TextEditor*>(window.tabs().currentWidget());
     ASSERT_NE(texts, nullptr);
     const auto ofTexts = [&](const char* english) {
@@ -59,7 +60,7 @@ void lookAtDesignDialogs(MainWindow& window, const Look& look) {
         hmi::PasswordDialog dialog("anna", &window);
         dialog.exec();
     });
-    window.openDesigner("all");
+    window.designs().openPanel("all");
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget());
     ASSERT_NE(designer, nullptr);
     designer->selection().set({designer->document().panel().elements().front().id()});

@@ -1,5 +1,6 @@
 // What a mouse does at heads of tables, tabs, edges, margins and by resting or dragging, done with keys alone: real key
 // events on the window, from the command palette where a command has no key of its own.
+#include "app/documents/design_pages.h"
 #include "app/frame/side_bars.h"
 #include "app/pages/merge_dialog.h"
 #include "app/pages/st_page.h"
@@ -89,13 +90,13 @@ protected:
         timer->start(20);
     }
     hmi::PanelDesigner& designer() {
-        window->openDesigner("overview");
+        window->designs().openPanel("overview");
         return *qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
     }
 };
 
 TEST_F(KeyboardTest, TheSetOfARecipeIsRenamed) {
-    window->openRecipes();
+    window->designs().openRecipes();
     auto* recipes = qobject_cast<hmi::RecipeEditor*>(window->tabs().currentWidget());
     ASSERT_NE(recipes, nullptr);
     recipes->addRecipe();
@@ -119,7 +120,7 @@ TEST_F(KeyboardTest, TheSetOfARecipeIsRenamed) {
 }
 
 TEST_F(KeyboardTest, ALanguageIsTakenOutOfTheTexts) {
-    window->openTexts();
+    window->designs().openTexts();
     auto* texts = qobject_cast<hmi::TextEditor*>(window->tabs().currentWidget());
     ASSERT_NE(texts, nullptr);
     texts->view().setFocus();
@@ -140,7 +141,7 @@ TEST_F(KeyboardTest, ALanguageIsTakenOutOfTheTexts) {
 }
 
 TEST_F(KeyboardTest, ColumnsAreSortedAndSizedFromAMenu) {
-    window->openTexts();
+    window->designs().openTexts();
     auto* texts = qobject_cast<hmi::TextEditor*>(window->tabs().currentWidget());
     texts->view().setFocus();
     texts->view().setCurrentIndex(texts->view().model()->index(0, hmi::TextModel::FirstLanguage));

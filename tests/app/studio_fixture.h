@@ -1,8 +1,8 @@
 // A studio window on a throw-away copy of a small project. One per test.
 #pragma once
 #include "app/main_window.h"
-#include "app/project/search_view.h"
 #include "app/pages/editor_tabs.h"
+#include "app/project/search_view.h"
 #include "app/settings/settings.h"
 
 #include <QApplication>
