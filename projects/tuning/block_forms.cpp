@@ -10,140 +10,131 @@ namespace plc::tuning {
 namespace {
 
 constexpr double kAnyGain = 3.4e38;
+constexpr double kGainOfCascade = 1e38;
 constexpr double kLongestTime = 4294967.295; // of a TIME in milliseconds
 constexpr double kMinute = 60;
 /// FB_PID and FB_PI_PID take less than a minute.
 constexpr double kBelowMinute = 59.999;
 
+using enum Quantity;
+using enum Unit;
+
+// ------------------------------------------------------------------ the toolbox's
+
+BlockForm proportional() {
+    return {.type = "FB_P",
+            .input = "q_rOput",
+            .output = "i_rActVal",
+            .setPoint = "i_rSp",
+            .manual = "i_xManMode",
+            .parameters = {{"i_rKp", Gain, Plain, 0, kAnyGain}}};
+}
+
+BlockForm proportionalIntegral() {
+    return {.type = "FB_PI",
+            .input = "q_rOput",
+            .output = "i_rActVal",
+            .setPoint = "i_rSp",
+            .low = "i_stPara.rMinLim",
+            .high = "i_stPara.rMaxLim",
+            .manual = "i_xManMode",
+            .resumes = "core.wasHeld",
+            .cycle = "i_stPara.tCyclTime",
+            .cycleUnit = TimeLiteral,
+            .parameters = {{"i_stPara.rKp", Gain, Plain, 0, kAnyGain},
+                           {"i_stPara.tTn", IntegralTime, TimeLiteral, 0.001, kLongestTime}}};
+}
+
+BlockForm withDerivative() {
+    return {.type = "FB_PID",
+            .input = "q_rPidOput",
+            .output = "i_rPv1",
+            .setPoint = "i_rSp",
+            .low = "i_stPid.rLowLim",
+            .high = "i_stPid.rHighLim",
+            .manual = "i_xManMode",
+            .resumes = "core.wasHeld",
+            .cycle = "i_stPid.rTargCyclTime",
+            .cycleUnit = Milliseconds,
+            .parameters = {{"i_rKp", Gain, Plain, 0, kAnyGain},
+                           {"i_rTn", IntegralTime, Milliseconds, 0, kMinute},
+                           {"i_rTv", DerivativeTime, Milliseconds, 0, kMinute},
+                           {"i_rTd", FilterTime, Milliseconds, 0, kBelowMinute}}};
+}
+
+/// The outer loop of FB_PI_PID: its output is the inner one's set point.
+BlockForm outerOfCascade() {
+    return {.type = "FB_PI_PID",
+            .part = "PI",
+            .input = "innerSetPoint",
+            .output = "i_rActValPI",
+            .setPoint = "i_rSp",
+            .low = "i_stParaPI.rMinLim",
+            .high = "i_stParaPI.rMaxLim",
+            .manual = "i_xManModePI",
+            .resumes = "pi.wasHeld",
+            .cycle = "i_stParaPI.tCyclTime",
+            .cycleUnit = TimeLiteral,
+            .parameters = {{"i_stParaPI.rKp", Gain, Plain, 0, kGainOfCascade},
+                           {"i_stParaPI.tTn", IntegralTime, TimeLiteral, 0, kMinute}}};
+}
+
+BlockForm innerOfCascade() {
+    return {.type = "FB_PI_PID",
+            .part = "PID",
+            .input = "q_rOput",
+            .output = "i_rActValPID",
+            .setPoint = "innerSetPoint",
+            .low = "i_stParaPID.rMinLim",
+            .high = "i_stParaPID.rMaxLim",
+            .manual = "i_xManModePID",
+            .resumes = "pid.wasHeld",
+            .cycle = "i_stParaPI.tCyclTime",
+            .cycleUnit = TimeLiteral,
+            .parameters = {{"i_stParaPID.rKp", Gain, Plain, 0, kGainOfCascade},
+                           {"i_stParaPID.tTn", IntegralTime, TimeLiteral, 0, kMinute},
+                           {"i_stParaPID.tTv", DerivativeTime, TimeLiteral, 0, kMinute},
+                           {"i_stParaPID.tTd", FilterTime, TimeLiteral, 0, kMinute}}};
+}
+
+// ------------------------------------------------------------------ others
+
+BlockForm ofUtil(std::string_view type, std::string_view cycle) {
+    return {.type = type,
+            .input = "Y",
+            .output = "ACTUAL",
+            .setPoint = "SET_POINT",
+            .low = "Y_MIN",
+            .high = "Y_MAX",
+            .manual = "MANUAL",
+            .resumes = "core.wasManual",
+            .cycle = cycle,
+            .cycleUnit = Seconds,
+            .parameters = {{"KP", Gain, Plain, -kAnyGain, kAnyGain},
+                           {"TN", IntegralTime, Seconds, 0, kAnyGain},
+                           {"TV", DerivativeTime, Seconds, 0, kAnyGain}}};
+}
+
+BlockForm ofAnnexF(std::string_view type) {
+    return {.type = type,
+            .input = "XOUT",
+            .output = "PV",
+            .setPoint = "SP",
+            .manual = "AUTO",
+            .errorSum = "ITERM.sum",
+            .errorSlope = "DTERM.XOUT",
+            .cycle = "CYCLE",
+            .cycleUnit = TimeLiteral,
+            .isReversed = true,
+            .parameters = {{"KP", Gain, Plain, -kAnyGain, kAnyGain},
+                           {"TR", IntegralTime, Seconds, 0, kAnyGain},
+                           {"TD", DerivativeTime, Seconds, 0, kAnyGain}}};
+}
+
 std::vector<BlockForm> makeForms() {
-    using enum Quantity;
-    using enum Unit;
-    const auto util = [](std::string_view type, std::string_view cycle) {
-        return BlockForm{type,
-                         "",
-                         "Y",
-                         "ACTUAL",
-                         "SET_POINT",
-                         "Y_MIN",
-                         "Y_MAX",
-                         "MANUAL",
-                         "core.wasManual",
-                         "",
-                         "",
-                         cycle,
-                         Seconds,
-                         false,
-                         {{"KP", Gain, Plain, -kAnyGain, kAnyGain},
-                          {"TN", IntegralTime, Seconds, 0, kAnyGain},
-                          {"TV", DerivativeTime, Seconds, 0, kAnyGain}}};
-    };
-    const auto annexF = [](std::string_view type) {
-        return BlockForm{type,
-                         "",
-                         "XOUT",
-                         "PV",
-                         "SP",
-                         "",
-                         "",
-                         "AUTO",
-                         "",
-                         "ITERM.sum",
-                         "DTERM.XOUT",
-                         "CYCLE",
-                         TimeLiteral,
-                         true,
-                         {{"KP", Gain, Plain, -kAnyGain, kAnyGain},
-                          {"TR", IntegralTime, Seconds, 0, kAnyGain},
-                          {"TD", DerivativeTime, Seconds, 0, kAnyGain}}};
-    };
     return {
-        {"FB_P",
-         "",
-         "q_rOput",
-         "i_rActVal",
-         "i_rSp",
-         "",
-         "",
-         "i_xManMode",
-         "",
-         "",
-         "",
-         "",
-         Plain,
-         false,
-         {{"i_rKp", Gain, Plain, 0, kAnyGain}}},
-        {"FB_PI",
-         "",
-         "q_rOput",
-         "i_rActVal",
-         "i_rSp",
-         "i_stPara.rMinLim",
-         "i_stPara.rMaxLim",
-         "i_xManMode",
-         "core.wasHeld",
-         "",
-         "",
-         "i_stPara.tCyclTime",
-         TimeLiteral,
-         false,
-         {{"i_stPara.rKp", Gain, Plain, 0, kAnyGain},
-          {"i_stPara.tTn", IntegralTime, TimeLiteral, 0.001, kLongestTime}}},
-        {"FB_PID",
-         "",
-         "q_rPidOput",
-         "i_rPv1",
-         "i_rSp",
-         "i_stPid.rLowLim",
-         "i_stPid.rHighLim",
-         "i_xManMode",
-         "core.wasHeld",
-         "",
-         "",
-         "i_stPid.rTargCyclTime",
-         Milliseconds,
-         false,
-         {{"i_rKp", Gain, Plain, 0, kAnyGain},
-          {"i_rTn", IntegralTime, Milliseconds, 0, kMinute},
-          {"i_rTv", DerivativeTime, Milliseconds, 0, kMinute},
-          {"i_rTd", FilterTime, Milliseconds, 0, kBelowMinute}}},
-        {"FB_PI_PID",
-         "PI",
-         "innerSetPoint",
-         "i_rActValPI",
-         "i_rSp",
-         "i_stParaPI.rMinLim",
-         "i_stParaPI.rMaxLim",
-         "i_xManModePI",
-         "pi.wasHeld",
-         "",
-         "",
-         "i_stParaPI.tCyclTime",
-         TimeLiteral,
-         false,
-         {{"i_stParaPI.rKp", Gain, Plain, 0, 1e38}, {"i_stParaPI.tTn", IntegralTime, TimeLiteral, 0, kMinute}}},
-        {"FB_PI_PID",
-         "PID",
-         "q_rOput",
-         "i_rActValPID",
-         "innerSetPoint",
-         "i_stParaPID.rMinLim",
-         "i_stParaPID.rMaxLim",
-         "i_xManModePID",
-         "pid.wasHeld",
-         "",
-         "",
-         "i_stParaPI.tCyclTime",
-         TimeLiteral,
-         false,
-         {{"i_stParaPID.rKp", Gain, Plain, 0, 1e38},
-          {"i_stParaPID.tTn", IntegralTime, TimeLiteral, 0, kMinute},
-          {"i_stParaPID.tTv", DerivativeTime, TimeLiteral, 0, kMinute},
-          {"i_stParaPID.tTd", FilterTime, TimeLiteral, 0, kMinute}}},
-        util("PID", ""),
-        util("PID_FIXCYCLE", "CYCLE"),
-        annexF("PID"),
-        annexF("PID_LREAL"),
-    };
+        proportional(),    proportionalIntegral(),          withDerivative(), outerOfCascade(),     innerOfCascade(),
+        ofUtil("PID", ""), ofUtil("PID_FIXCYCLE", "CYCLE"), ofAnnexF("PID"),  ofAnnexF("PID_LREAL")};
 }
 
 std::string timeText(double seconds) {
