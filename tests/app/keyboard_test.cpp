@@ -53,8 +53,8 @@ END_PROGRAM
 
 const char* const kPanel =
     R"({"elements": [{"kind": "group", "id": "g", "rect": [20, 20, 300, 200]},
-                  {"kind": "label", "id": "a", "rect": [40, 40, 120, 40], "text": "Pump", "parent": "g"},
-                  {"kind": "label", "id": "b", "rect": [400, 40, 120, 40], "text": "Valve"}]})";
+                  {"kind": "text", "id": "a", "rect": [40, 40, 120, 40], "text": "Pump", "parent": "g"},
+                  {"kind": "text", "id": "b", "rect": [400, 40, 120, 40], "text": "Valve"}]})";
 
 class KeyboardTest : public StudioTest {
 protected:
@@ -72,7 +72,9 @@ protected:
     }
     /// By its name in the palette, which every command can be found in.
     void command(const QString& name) {
+        QApplication::setActiveWindow(window.get()); // a dialog that closes leaves none
         press(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        ASSERT_NE(QApplication::focusWidget(), nullptr);
         QTest::keyClicks(QApplication::focusWidget(), name);
         press(Qt::Key_Return);
     }
@@ -229,8 +231,9 @@ TEST_F(KeyboardTest, PanesGetLargerAndSmaller) {
     const int height = page->height();
     press(Qt::Key_Up, all);
     EXPECT_TRUE(waitFor([&] { return page->height() > height; }));
+    const int grown = page->height();
     press(Qt::Key_Down, all);
-    EXPECT_TRUE(waitFor([&] { return page->height() == height; }));
+    EXPECT_TRUE(waitFor([&] { return page->height() < grown; }));
     // Inside of a document a splitter is nearer.
     page->toggleSplit();
     settle();
