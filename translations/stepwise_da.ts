@@ -13309,11 +13309,4 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Sorter faldende</translation>
     </message>
 </context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
-    </message>
-</context>
 </TS>

@@ -13309,11 +13309,4 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Absteigend sortieren</translation>
     </message>
 </context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
-    </message>
-</context>
 </TS>

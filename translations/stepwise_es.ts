@@ -13309,11 +13309,4 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
         <translation>Orden descendente</translation>
     </message>
 </context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
-    </message>
-</context>
 </TS>

@@ -13309,11 +13309,4 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Trier par ordre décroissant</translation>
     </message>
 </context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>Vue</translation>
-    </message>
-</context>
 </TS>

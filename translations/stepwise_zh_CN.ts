@@ -13287,11 +13287,4 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>降序排序</translation>
     </message>
 </context>
-<context>
-    <name>plc::hmi::PanelKeys</name>
-    <message>
-        <source>Panel</source>
-        <translation>画面</translation>
-    </message>
-</context>
 </TS>
