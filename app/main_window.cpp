@@ -69,6 +69,19 @@ namespace {
 
 QString titleOfMenu(const char* english) { return QCoreApplication::translate("plc::app::Menu", english); }
 
+/// The buttons of a document's bars and what is in their menus: no key reaches them there.
+QList<QAction*> actionsOfBars(QWidget* document) {
+    QList<QAction*> out;
+    if (!document) return out;
+    for (const QToolBar* bar : document->findChildren<QToolBar*>())
+        for (QAction* each : bar->actions()) {
+            out << each;
+            const auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(each));
+            if (button && button->menu()) out << button->menu()->actions();
+        }
+    return out;
+}
+
 /// Qt's own action closes a dock that is behind another one's tab; this one brings it to the front.
 QAction* makeToggle(MainWindow& window, QDockWidget& dock) {
     auto* toggle = new QAction(dock.windowTitle(), &window);
@@ -320,7 +333,7 @@ void MainWindow::makeActions() {
             bar->addAction(action(id));
     }
     kit::giveMnemonics(*menuBar());
-    m_palette = new kit::CommandPalette(this, [this] { return allActions(); });
+    m_palette = new kit::CommandPalette(this, [this] { return allActions() + actionsOfBars(m_tabs->currentWidget()); });
 }
 
 QAction* MainWindow::action(const QString& id) const {

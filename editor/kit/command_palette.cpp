@@ -117,6 +117,7 @@ CommandPalette::CommandPalette(QWidget* window, ActionSource source)
 }
 
 void CommandPalette::open(const QString& text) {
+    if (!isAncestorOf(m_window->focusWidget())) m_before = m_window->focusWidget();
     collect();
     const int width = std::min(620, m_window->width() - 40);
     QPalette p = palette();
@@ -248,7 +249,7 @@ void CommandPalette::keyPressEvent(QKeyEvent* event) {
 
 void CommandPalette::hideEvent(QHideEvent* event) {
     QFrame::hideEvent(event);
-    if (m_input->hasFocus()) m_window->setFocus(Qt::OtherFocusReason);
+    if (m_input->hasFocus()) (m_before ? m_before.data() : m_window)->setFocus(Qt::OtherFocusReason);
 }
 
 void CommandPalette::paintEvent(QPaintEvent*) {

@@ -51,6 +51,7 @@ private:
     QWidget* m_window;
     ActionSource m_source;
     QLineEdit* m_input;
+    QPointer<QWidget> m_before; // had the focus, and gets it back: commands are about it
     QListView* m_list;
     QStandardItemModel* m_model;
     std::vector<Entry> m_entries;
