@@ -23,8 +23,8 @@ protected:
         ASSERT_EQ(window->control().status().scans, 0u);
         m_since = processorSeconds();
     }
-    /// With what else closing does; the scan itself takes years.
-    void expectAtOnce() const { EXPECT_LT(processorSeconds() - m_since, kAtOnceSeconds); }
+    /// With what else closing does; the scan itself takes years. The threads of window and scan work at the same time.
+    void expectAtOnce() const { EXPECT_LT(processorSeconds() - m_since, 2 * kAtOnceSeconds); }
 
     double m_since = 0;
 };

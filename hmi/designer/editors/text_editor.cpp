@@ -247,7 +247,7 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     connect(m_incomplete, &QCheckBox::toggled, this, filter);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &TextEditor::showUsers);
     connect(m_model, &QAbstractItemModel::modelReset, this, &TextEditor::showUsers); // a text was typed in a panel
-    connect(&m_context, &DesignContext::textsTaken, &m_undo, &QUndoStack::clear); // its steps are of another table
+    connect(&m_context, &DesignContext::textsTaken, &m_undo, &QUndoStack::clear);    // its steps are of another table
     showUsers();
 }
 
