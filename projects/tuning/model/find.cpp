@@ -245,6 +245,8 @@ Answer answerOf(const Context& context, const FoundStep& step, double before) {
         const double ofBlock = static_cast<double>(blocks) / static_cast<double>(after);
         found.deviation = context.noise * std::sqrt(ofBlock + (most < 60 ? ofBefore : 0));
         if (out.change == 0 || found.change * out.deviation > out.change * found.deviation) out = found;
+        constexpr double kClear = 6; // then the shortest shows best how far it goes
+        if (out.change > kClear * out.deviation) break;
     }
     return out;
 }
