@@ -5504,15 +5504,15 @@
     </message>
     <message>
         <source>{0} µs</source>
-        <translation>{0} µs</translation>
+        <translation>{0}&#xa0;µs</translation>
     </message>
     <message>
         <source>{0} s</source>
-        <translation>{0} s</translation>
+        <translation>{0}&#xa0;s</translation>
     </message>
     <message>
         <source>{0} min {1} s</source>
-        <translation>{0} min {1} s</translation>
+        <translation>{0}&#xa0;min {1}&#xa0;s</translation>
     </message>
     <message>
         <source>{0}  {1} from {2} to {3}, {4}</source>

@@ -1,6 +1,7 @@
 // What a trace shows besides curves over time: figures, remarks, channels of other files.
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/trace/curves/trace_figure.h"
 #include "editor/trace/figure_pane.h"
 #include "editor/trace/recording/run_recording.h"
 #include "editor/trace/trace_view.h"
@@ -29,7 +30,13 @@ constexpr FigureKey kFigures[] = {{FigureKind::None, Qt::Key_T, "T"},
 } // namespace
 
 void TraceView::showFigure(FigureKind kind) {
-    change(titleOf(kind), [kind](TraceSetup& s) { s.figure.kind = kind; });
+    const bool hasHorizontal = kind == FigureKind::Xy || kind == FigureKind::Response;
+    const bool mustChoose = hasHorizontal && m_setup.figure.x.empty();
+    const std::string horizontal = mustChoose ? firstMoving(m_setup, m_plot->model()) : m_setup.figure.x;
+    change(titleOf(kind), [kind, horizontal](TraceSetup& s) {
+        s.figure.kind = kind;
+        s.figure.x = horizontal;
+    });
 }
 
 void TraceView::addFigureActions(QMenu& menu) {

@@ -289,6 +289,16 @@ FigureJob figureJob(const TraceSetup& setup, const plot::PlotModel& model, const
     return job;
 }
 
+std::string firstMoving(const TraceSetup& setup, const plot::PlotModel& model) {
+    for (size_t i = 0; i < model.curves.size() && i < setup.channels.size(); ++i) {
+        if (!model.curves[i].source || !model.curves[i].isVisible) continue;
+        const std::vector<double> values = channelOf(model.curves[i], model.from, model.to).samples.value;
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        if (!values.empty() && *low < *high) return i == 0 ? std::string() : setup.channels[i].expression;
+    }
+    return {};
+}
+
 FigureAnswer figureOf(const FigureJob& job) {
     switch (job.setup.kind) {
     case FigureKind::None:

@@ -26,6 +26,10 @@ struct FigureJob {
 /// The visible channels between the cursors, else in view; of runs all that is there.
 [[nodiscard]] FigureJob figureJob(const TraceSetup& setup, const plot::PlotModel& model, const TraceFeed* feed);
 
+/// The first channel in view that moves, which has something to say as the horizontal value or the input: a set point
+/// at rest has not. Empty where that is the first, or none.
+[[nodiscard]] std::string firstMoving(const TraceSetup& setup, const plot::PlotModel& model);
+
 struct FigureAnswer {
     plot::Figure figure;
     QString text; // the figures that go with it: peaks, where runs differ most

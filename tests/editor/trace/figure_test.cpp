@@ -112,6 +112,20 @@ TEST_F(TraceFigure, TheHorizontalValueIsChosenAndUndone) {
     EXPECT_EQ(figure().charts[0].xTitle, "Main.x");
 }
 
+TEST_F(TraceFigure, WhatDoesNotMoveIsNoHorizontalValueByItself) {
+    // a set point at rest is often the first channel
+    show({"Main.x * 0.0", "Main.x", "Main.y"}, FigureKind::None);
+    for (const auto& [key, kind] : {std::pair{Qt::Key_X, FigureKind::Xy}, std::pair{Qt::Key_B, FigureKind::Response}}) {
+        QTest::keyClick(&view, key);
+        waitUntilDrawn();
+        EXPECT_EQ(view.setup().figure.kind, kind);
+        EXPECT_EQ(view.setup().figure.x, "Main.x");
+        EXPECT_FALSE(figure().isEmpty()) << figure().empty.toStdString();
+        view.undoStack()->undo();
+        EXPECT_EQ(view.setup().figure.x, "");
+    }
+}
+
 TEST_F(TraceFigure, OnlyWhatIsBetweenTheCursorsIsTaken) {
     show({"Main.x", "Main.y"}, FigureKind::Xy);
     view.plot()->setCursor(0, 1 * S);
