@@ -11968,6 +11968,13 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PasswordDialog</name>
     <message>
         <source>Set Password</source>

@@ -11968,6 +11968,13 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PasswordDialog</name>
     <message>
         <source>Set Password</source>

@@ -11968,6 +11968,13 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PasswordDialog</name>
     <message>
         <source>Set Password</source>

@@ -11968,6 +11968,13 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PasswordDialog</name>
     <message>
         <source>Set Password</source>

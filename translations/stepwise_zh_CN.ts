@@ -11952,6 +11952,13 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::hmi::PanelKeys</name>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PasswordDialog</name>
     <message>
         <source>Set Password</source>

@@ -3,6 +3,7 @@
 #include "hmi/model/property_literals.h"
 #include "hmi/player/player_status.h"
 #include "hmi/player/pop_up.h"
+#include "hmi/view/panel_keys.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -16,6 +17,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Run* run, QWidget
     : QWidget(parent), m_project(project), m_station(project, run), m_view(new PanelView(this)),
       m_status(new PlayerStatus(this)) {
     setFocusPolicy(Qt::StrongFocus);
+    new PanelKeys(*m_view);
     connectStation();
     setUpScene(scene());
     scene().setTheme(project.theme);

@@ -1,6 +1,7 @@
 #include "hmi/player/pop_up.h"
 
 #include "hmi/model/property_literals.h"
+#include "hmi/view/panel_keys.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +14,7 @@ namespace plc::hmi {
 
 PopUp::PopUp(const OverlayLook& look, const PanelPlace& place, QWidget* parent)
     : Overlay(look, parent), m_place(place), m_title(new QLabel), m_view(new PanelView) {
+    new PanelKeys(*m_view);
     auto* layout = new QVBoxLayout(m_box);
     layout->setContentsMargins(8, 8, 8, 8);
     auto* head = new QHBoxLayout;
