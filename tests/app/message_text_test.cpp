@@ -13,6 +13,7 @@
 #include "runtime/inside/texts.h"
 #include "tests/app/studio_fixture.h"
 
+#include <QLocale>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -64,9 +65,10 @@ messages::Argument sample(ParameterKind kind, size_t index) {
     return mark;
 }
 
-QString shownMark(ParameterKind kind, size_t index) {
+QString shownMark(ParameterKind kind, size_t index, const char* language) {
     if (kind == ParameterKind::Integer) return QString::number(70 + index);
-    if (kind == ParameterKind::Real) return QString::number(70.5 + static_cast<double>(index));
+    if (kind == ParameterKind::Real)
+        return QLocale(QString::fromLatin1(language)).toString(70.5 + static_cast<double>(index)); // its decimal sign
     return QStringLiteral("<%1>").arg(index);
 }
 
@@ -81,7 +83,7 @@ TEST(MessageText, EveryMessageShowsItsArgumentsInEveryLanguage) {
             EXPECT_FALSE(shown.contains(u'{') || shown.contains(u'|')) << language << ": " << shown.toStdString();
             for (size_t i = 0; i < form->count; ++i) {
                 if (!QString::fromUtf8(form->text).contains(QStringLiteral("{%1}").arg(i))) continue; // chooses only
-                EXPECT_TRUE(shown.contains(shownMark(form->parameters[i], i)))
+                EXPECT_TRUE(shown.contains(shownMark(form->parameters[i], i, language)))
                     << form->name << ' ' << language << ": " << shown.toStdString();
             }
         }
