@@ -56,7 +56,17 @@
     </message>
 </context>
 <context>
-    <name>plc::app::MainWindow</name>
+    <name>plc::app::RenameDialog</name>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n place changes:</numerusform>
+            <numerusform>%n places change:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::UnitCommands</name>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -69,16 +79,6 @@
         <translation>
             <numerusform>It is used in %n other place.</numerusform>
             <numerusform>It is used in %n other places.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n place changes:</numerusform>
-            <numerusform>%n places change:</numerusform>
         </translation>
     </message>
 </context>

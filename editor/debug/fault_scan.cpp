@@ -9,7 +9,8 @@ namespace plc::editor {
 namespace {
 
 /// A scan made again; none where it does not lead to the same fault.
-std::optional<inside::Rerun> repeated(const session::Session& session, history::Position at, const controller::Fault& fault) {
+std::optional<inside::Rerun> repeated(const session::Session& session, history::Position at,
+                                      const controller::Fault& fault) {
     inside::Rerunner rerunner(session.history());
     auto made = rerunner.run(at);
     if (!made || !made->isExact() || !made->fault || made->fault->range != fault.range ||
@@ -76,7 +77,8 @@ std::vector<std::pair<std::string, types::Value>> FaultScan::variables(size_t fr
     const inside::Rerun& scan = *m_repeated->rerun;
     std::vector<std::pair<std::string, types::Value>> out;
     if (frame < scan.fault->calls.size())
-        for (debug::FrameVariable& each : debug::frameVariables(*scan.input.program, scan.image, scan.fault->calls[frame]))
+        for (debug::FrameVariable& each :
+             debug::frameVariables(*scan.input.program, scan.image, scan.fault->calls[frame]))
             out.emplace_back(std::move(each.name), std::move(each.value));
     return out;
 }

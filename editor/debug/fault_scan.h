@@ -1,5 +1,5 @@
-// The scan in which the controller has faulted, and the values its frames had then. Asked at every refresh while a plant
-// may go on for hours, so what was found is kept; it is let go with the session. Owned by RunControl; GUI thread.
+// The scan in which the controller has faulted, and the values its frames had then. Asked at every refresh while a
+// plant may go on for hours, so what was found is kept; it is let go with the session. Owned by RunControl; GUI thread.
 #pragma once
 #include "runtime/controller/controller.h"
 #include "runtime/history/history.h"
@@ -34,8 +34,8 @@ public:
     [[nodiscard]] std::optional<history::Position> position();
     /// The scan that is looked at is that of the present fault.
     [[nodiscard]] bool isShown();
-    /// Name and value of the variables of a frame of the present fault. Optimised code keeps locals in registers, so the
-    /// scan is made again by the quick code; where that does not lead to the same fault, what the session has kept.
+    /// Name and value of the variables of a frame of the present fault. Optimised code keeps locals in registers, so
+    /// the scan is made again by the quick code; where that does not lead to the same fault, what the session has kept.
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> variables(size_t frame);
 
 private:

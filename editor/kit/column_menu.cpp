@@ -51,7 +51,8 @@ void ColumnMenu::addColumn(QMenu& menu, QHeaderView& head, int column) {
     QHeaderView* const at = &head;
     if (head.sectionResizeMode(column) == QHeaderView::Interactive) {
         of->addAction(tr("Fit to Contents"), at, [at, column] { at->resizeSection(column, fittingSize(*at, column)); });
-        of->addAction(tr("Wider"), at, [at, column] { at->resizeSection(column, at->sectionSize(column) + kColumnStep); });
+        of->addAction(tr("Wider"), at,
+                      [at, column] { at->resizeSection(column, at->sectionSize(column) + kColumnStep); });
         of->addAction(tr("Narrower"), at, [at, column] {
             at->resizeSection(column, std::max(at->minimumSectionSize(), at->sectionSize(column) - kColumnStep));
         });

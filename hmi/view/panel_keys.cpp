@@ -112,7 +112,8 @@ void PanelKeys::show() {
 void PanelKeys::movePlace(QPointF by) {
     const ElementView* at = focused();
     if (!at) return;
-    const QRectF room = m_view.scene().shownRect(*at);
+    const double over = at->overhang(); // is painted, and not pressed
+    const QRectF room = m_view.scene().shownRect(*at).adjusted(over, over, -over, -over);
     const QPointF to = room.center() + m_offset + by;
     m_offset = QPointF(std::clamp(to.x(), room.left() + 2, std::max(room.left() + 2, room.right() - 2)),
                        std::clamp(to.y(), room.top() + 2, std::max(room.top() + 2, room.bottom() - 2))) -

@@ -47,7 +47,8 @@ private:
     void* allocate(size_t size, size_t alignment) {
         auto at = (reinterpret_cast<uintptr_t>(m_next) + alignment - 1) & ~(alignment - 1);
         if (!m_next || at + size > reinterpret_cast<uintptr_t>(m_end)) {
-            const size_t block = std::max(size + alignment, kFirstBlock << std::min<size_t>(m_blocks.size(), kDoublings));
+            const size_t block =
+                std::max(size + alignment, kFirstBlock << std::min<size_t>(m_blocks.size(), kDoublings));
             m_blocks.push_back(std::make_unique_for_overwrite<std::byte[]>(block)); // `make` sets what is used
             m_next = m_blocks.back().get();
             m_end = m_next + block;
