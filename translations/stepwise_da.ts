@@ -8725,6 +8725,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Panes</source>
         <translation>Ruder</translation>
     </message>
+    <message>
+        <source>Find</source>
+        <translation>Søg</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>

@@ -8719,6 +8719,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Panes</source>
         <translation>窗格</translation>
     </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>

@@ -18,6 +18,8 @@ struct SubMenu {
 
 const std::vector<SubMenu>& subMenus() {
     static const std::vector<SubMenu> all = {
+        {QT_TRANSLATE_NOOP("plc::app::Menu", "Find"),
+         {"edit.find", "edit.replace", "edit.findNext", "edit.findPrevious", "edit.findAll"}},
         {QT_TRANSLATE_NOOP("plc::app::Menu", "Go To"),
          {"edit.goToLine", "edit.definition", "edit.matching", "edit.nextProblem", "edit.previousProblem", "edit.back",
           "edit.forward"}},

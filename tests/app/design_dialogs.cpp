@@ -17,30 +17,17 @@
 #include <QGraphicsView>
 #include <QMenu>
 #include <QTableWidget>
-#include <QToolBar>
-#include <QToolButton>
 
 namespace plc::app {
 
 namespace {
 
-/// The command of a page's bar or of one of its menus, by the icon's place: texts differ with the language.
-QList<QAction*> actionsOfBars(QWidget& page) {
-    QList<QAction*> out;
-    for (const QToolBar* bar : page.findChildren<QToolBar*>())
-        for (QAction* action : bar->actions()) {
-            out << action;
-            auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
-            if (button && button->menu()) out << button->menu()->actions();
-        }
-    return out;
-}
-
+/// The command of a page, in its bar or in a menu of it.
 QAction* actionCalled(QWidget& page, const char* context, const char* english) {
     const QString text = QCoreApplication::translate(context, english);
-    for (QAction* action : actionsOfBars(page))
+    for (QAction* action : page.findChildren<QAction*>())
         if (QString(action->text()).remove('&').startsWith(text)) return action;
-    ADD_FAILURE() << english << " is not in the bars";
+    ADD_FAILURE() << english << " is no command of the page";
     return nullptr;
 }
 

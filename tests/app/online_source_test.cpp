@@ -161,7 +161,7 @@ TEST_F(OnlineSourceTest, TheTreeChoosesTheInstance) {
         askForMenu(tree, item(name));
         EXPECT_TRUE(chosen) << entry.toStdString();
     };
-    choose("b", "Source of Axis with the values of Main.b", {});
+    choose("b", "Source of Axis with the Values of Main.b", {});
     EXPECT_TRUE(waitFor([&] { return bar().isVisible() && bar().shownInstance() == "Main.b"; }));
     choose("Axis", "Main.a", "Values of Instance");
     EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.a"; }));
@@ -178,7 +178,7 @@ TEST_F(OnlineSourceTest, TheWatchChoosesTheInstance) {
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         if (!menu) return;
         for (QAction* action : menu->actions())
-            if (action->text().remove(u'&') == "Source of Axis with the values of Main.b") {
+            if (action->text().remove(u'&') == "Source of Axis with the Values of Main.b") {
                 isOffered = true;
                 action->trigger();
             }
