@@ -100,6 +100,7 @@ TEST_F(TabOrderTest, TabVisitsEveryFieldOfADialogInTheOrderOfReading) {
     ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 20; }));
     size_t dialogs = 0;
     lookAtAllDialogs(*window, [&](QWidget& dialog, const QString& name) {
+        if (&dialog == window.get()) return; // as it looks during a walk: in an editor Tab is a character
         ++dialogs;
         const std::vector<QWidget*> wanted = tabStopsOf(dialog);
         const std::vector<QWidget*> visited = visitedByTab(dialog, 2 * wanted.size() + 3);

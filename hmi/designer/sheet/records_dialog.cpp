@@ -17,6 +17,7 @@ RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& val
     : QDialog(parent), m_property(property), m_context(context), m_storeText(std::move(storeText)),
       m_list(new QListWidget), m_grid(new kit::PropertyGrid) {
     setWindowTitle(QCoreApplication::translate("Hmi", property.title));
+    m_list->setAccessibleName(windowTitle());
     resize(760, 460);
     if (property.type == PropertyType::Bindings && value.is_object()) {
         for (const auto& [name, expression] : value.items())
