@@ -93,7 +93,7 @@ void LadderView::showKeys() {
         tr("Move the contact left; with Right, right"));
     add("/", tr("Typed before a name: a negated contact"));
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Keys in Ladder and Function Block Diagrams"),
-                                "<table>" + rows + "</table>", QMessageBox::Close, this);
+                                "<table cellspacing='0'>" + rows + "</table>", QMessageBox::Close, this);
     box->setObjectName("ladderKeys");
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
