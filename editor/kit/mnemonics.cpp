@@ -119,7 +119,8 @@ QString marked(QString text, int letter) {
     if (letter < 0) return text;
     const QChar wanted(characterOf(letter));
     if (isChinese(text)) {
-        const qsizetype end = text.endsWith(u'…') ? text.size() - 1 : text.size();
+        const QString behind = QStringLiteral("…:："); // the letter: "名称(N)："
+        const qsizetype end = !text.isEmpty() && behind.contains(text.back()) ? text.size() - 1 : text.size();
         return text.insert(end, QStringLiteral("(&%1)").arg(wanted));
     }
     qsizetype best = -1;

@@ -41,6 +41,7 @@ TEST(Mnemonics, AWrittenLetterStays) {
 TEST(Mnemonics, ChineseHasTheLetterOfTheNameBehindIt) {
     EXPECT_EQ(withMnemonics({"打开项目…", "保存", "退出"}, {"open", "save", "quit"}),
               (QStringList{"打开项目(&O)…", "保存(&S)", "退出(&Q)"}));
+    EXPECT_EQ(withMnemonics({"画面名称：", "重复:"}, {"name", "repeat"}), (QStringList{"画面名称(&N)：", "重复(&R):"}));
     EXPECT_EQ(withoutMnemonic("打开项目(&O)…"), "打开项目…");
     EXPECT_EQ(withoutMnemonic("Sa&ve && quit"), "Save && quit");
     EXPECT_EQ(withoutMnemonic("Plain"), "Plain");
