@@ -65,6 +65,7 @@ TuningView::TuningView(RunControl& control, QWidget* parent) : QWidget(parent), 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(makeHead());
+    layout->addWidget(m_state); // a line of its own: between the buttons it has no room on a small screen
     layout->addWidget(split, 1);
     constexpr int kRest = 120;
     m_trialTimer.setSingleShot(true);
@@ -115,7 +116,7 @@ QWidget* TuningView::makeHead() {
     m_back->setToolTip(tr("Writes the parameters that were in force before."));
     row->addWidget(new QLabel(tr("Loop:"), head));
     for (QWidget* part : {static_cast<QWidget*>(m_loop), static_cast<QWidget*>(m_find)}) row->addWidget(part);
-    row->addWidget(m_state, 1);
+    row->addStretch(1);
     for (QWidget* part : {m_report, m_write, m_back}) row->addWidget(part);
     connect(m_find, &QPushButton::clicked, this, &TuningView::findSteps);
     connect(m_report, &QPushButton::clicked, this, &TuningView::saveReport);
