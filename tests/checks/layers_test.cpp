@@ -1,6 +1,7 @@
 // Layers hold only where something refuses to cross them (D10): a module declares exactly the modules that its files
 // include, no fewer (a hidden arrow) and no more (an arrow nobody needs). The declared uses come from the configure
 // step (module_uses.txt).
+#include "tests/checks/module_uses.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
@@ -9,24 +10,11 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::map<std::string, std::set<std::string>> declaredUses() {
-    std::map<std::string, std::set<std::string>> uses;
-    std::ifstream in(plc::binaryDir() + "/module_uses.txt");
-    for (std::string line; std::getline(in, line);) {
-        const size_t colon = line.find(':');
-        std::istringstream words(line.substr(colon + 1));
-        auto& set = uses[line.substr(0, colon)];
-        for (std::string word; words >> word;) set.insert(word);
-    }
-    return uses;
-}
 
 std::vector<std::string> includesOf(const fs::path& file) {
     std::vector<std::string> out;

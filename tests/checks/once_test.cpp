@@ -1,5 +1,6 @@
 // A function, a type or a constant of a file's own is written once in a module: what two files need has a header. It
 // also lets presets that build several files as one (STEPWISE_UNITY) build at all.
+#include "tests/checks/module_uses.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
@@ -15,13 +16,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-std::set<std::string> modules() {
-    std::set<std::string> names;
-    std::ifstream in(plc::binaryDir() + "/module_uses.txt");
-    for (std::string line; std::getline(in, line);) names.insert(line.substr(0, line.find(':')));
-    return names;
-}
 
 /// "std::string_view text, size_t" -> "std::string_view, size_t": names of parameters do not tell functions apart.
 std::string typesOf(const std::string& parameters) {
@@ -67,7 +61,7 @@ std::set<std::string> namesIn(const fs::path& file) {
 using Declared = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
 
 Declared declaredIn(const char* ending) {
-    const std::set<std::string> known = modules();
+    const std::map<std::string, std::set<std::string>> known = declaredUses();
     Declared files;
     for (const char* top : {"runtime", "projects", "editor", "hmi", "app"})
         for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {

@@ -1,4 +1,5 @@
 // The thread sanitizer passes over tests that are declared with ONE_THREAD. What they use makes no thread.
+#include "tests/checks/module_uses.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
@@ -21,19 +22,7 @@ std::string contents(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::map<std::string, std::vector<std::string>> usesOfModules() {
-    std::map<std::string, std::vector<std::string>> uses;
-    std::istringstream lines(contents(plc::binaryDir() + "/module_uses.txt"));
-    for (std::string line; std::getline(lines, line);) {
-        const size_t colon = line.find(':');
-        std::istringstream words(line.substr(colon + 1));
-        auto& list = uses[line.substr(0, colon)];
-        for (std::string word; words >> word;) list.push_back(word);
-    }
-    return uses;
-}
-
-void addAll(const std::map<std::string, std::vector<std::string>>& uses, const std::string& module,
+void addAll(const std::map<std::string, std::set<std::string>>& uses, const std::string& module,
             std::set<std::string>& all) {
     const auto found = uses.find(module);
     if (found == uses.end() || !all.insert(module).second) return;
@@ -41,7 +30,7 @@ void addAll(const std::map<std::string, std::vector<std::string>>& uses, const s
 }
 
 /// The file of a module that makes a thread; "": none.
-std::string makerIn(const std::string& folder, const std::map<std::string, std::vector<std::string>>& uses) {
+std::string makerIn(const std::string& folder, const std::map<std::string, std::set<std::string>>& uses) {
     static const std::regex makes(R"(\bstd::(jthread|thread|async)\b|\bQThread\b|\bQtConcurrent\b|\brunAside\b)");
     for (auto it = fs::recursive_directory_iterator(plc::sourceDir() + "/" + folder); it != fs::end(it); ++it) {
         const std::string path = fs::relative(it->path(), plc::sourceDir()).generic_string();
@@ -56,7 +45,7 @@ std::string makerIn(const std::string& folder, const std::map<std::string, std::
 }
 
 TEST(Threads, WhatTheThreadSanitizerPassesOverMakesNone) {
-    const auto uses = usesOfModules();
+    const auto uses = declaredUses();
     const std::string cmake = contents(plc::sourceDir() + "/tests/CMakeLists.txt");
     static const std::regex declared(R"(\nplc_test\((\S+) ONE_THREAD USES ([^)]*)\))");
     size_t tests = 0;
