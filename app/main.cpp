@@ -62,9 +62,8 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     plc::app::installTranslation(application, settings.language());
     auto window = std::make_unique<plc::app::MainWindow>();
     if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window->restoreGeometry(geometry);
-    const QSize size = settings.windowGeometry().isEmpty()
-                           ? QSize(1440, 900).boundedTo(window->screen()->availableSize() - QSize(24, 48))
-                           : window->size();
+    const QSize size =
+        settings.windowGeometry().isEmpty() ? plc::app::MainWindow::firstSize(*window->screen()) : window->size();
     window->show();
     plc::app::KeptSize::keep(*window, size); // all docks at once took more while it was made
     if (!folder.isEmpty()) window->openProject(folder);

@@ -113,13 +113,17 @@ MainWindow::MainWindow(Living living) : m_workspace(living.workspace.release()),
     restoreLiving(std::move(living));
 }
 
+QSize MainWindow::firstSize(const QScreen& screen) {
+    return QSize(1440, 900).boundedTo(screen.availableSize() - QSize(24, 48));
+}
+
 void MainWindow::build() {
     setObjectName("studio");
     setWindowTitle("Stepwise");
     setDockOptions(
         AllowNestedDocks |
         AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(24, 48))); // with its frame
+    resize(firstSize(*screen()));
     m_stack = new QStackedWidget(this);
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);

@@ -15,6 +15,7 @@
 class QAction;
 class QApplication;
 class QDockWidget;
+class QScreen;
 class QStackedWidget;
 class QToolButton;
 
@@ -72,6 +73,9 @@ public:
     /// Around what another window has released, which goes on meanwhile.
     explicit MainWindow(Living living);
     ~MainWindow() override;
+
+    /// Of the first start, where nobody has chosen another: as large as the screen leaves room for it and its frame.
+    [[nodiscard]] static QSize firstSize(const QScreen& screen);
 
     bool openProject(const QString& folder);
     void closeProject();

@@ -43,7 +43,7 @@ public:
 
     /// All of them; false when one wants to stay.
     bool closeAll();
-    /// Without a question: the panels are read anew.
+    /// Without a question: the panels are read again.
     void drop();
     /// Asks for what the page has not saved; false: it stays.
     bool mayClose(QWidget* page);

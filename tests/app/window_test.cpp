@@ -126,7 +126,7 @@ TEST_F(StudioTest, ASpeedIsTypedAndTakenByOneEnter) {
         const QPointer<QWidget> dialog = QApplication::activeModalWidget();
         ASSERT_TRUE(dialog);
         for (const char key : {'0', '.', '5'})
-            QTest::keyClick(QApplication::focusWidget(), key); // the begin of "0.5 ×"
+            QTest::keyClick(QApplication::focusWidget(), key); // the first letters of "0.5 ×"
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         isClosed = !dialog || !dialog->isVisible();
         if (!isClosed) static_cast<QDialog*>(dialog.data())->reject();
