@@ -8479,8 +8479,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Hvad operatøren ser. Dette projekt har endnu intet panel; nye tegnes med musen.</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>Træk tidsskyderen, eller tryk på Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” kører videre derfra.</translation>
+        <source>Drag the time slider, or press Alt+PgUp: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Træk tidsskyderen, eller tryk på Alt+PgUp: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” kører videre derfra.</translation>
     </message>
     <message>
         <source>Tuning</source>

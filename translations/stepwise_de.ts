@@ -8479,8 +8479,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Was der Bediener sieht. Dieses Projekt hat noch kein Panel; neue zeichnen Sie mit der Maus.</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>Ziehen Sie den Zeitschieber, oder drücken Sie Strg+Alt+Links: Code, Diagramme und Panel werden im Zustand von damals angezeigt. „Ab hier fortsetzen“ läuft von dort weiter.</translation>
+        <source>Drag the time slider, or press Alt+PgUp: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Ziehen Sie den Zeitschieber, oder drücken Sie Alt+Bild aufwärts: Code, Diagramme und Panel werden im Zustand von damals angezeigt. „Ab hier fortsetzen“ läuft von dort weiter.</translation>
     </message>
     <message>
         <source>Tuning</source>

@@ -8479,8 +8479,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Lo que ve el operador. Este proyecto aún no tiene ningún panel; los nuevos se dibujan con el ratón.</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>Arrastre el control de tiempo o pulse Control+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+        <source>Drag the time slider, or press Alt+PgUp: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Arrastre el control de tiempo o pulse Alt+Re Pág: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
     </message>
     <message>
         <source>Tuning</source>

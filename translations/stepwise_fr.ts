@@ -8479,8 +8479,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Ce que voit l’opérateur. Ce projet n’a pas encore de vue&#x202f;; les nouvelles se dessinent à la souris.</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
+        <source>Drag the time slider, or press Alt+PgUp: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Faites glisser le curseur temporel, ou appuyez sur Alt+Page préc&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
     </message>
     <message>
         <source>Tuning</source>

@@ -8473,8 +8473,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>操作员看到的内容。此项目尚无画面；新画面用鼠标绘制。</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
+        <source>Drag the time slider, or press Alt+PgUp: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>拖动时间滑块，或按 Alt+PgUp：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
     </message>
     <message>
         <source>Tuning</source>

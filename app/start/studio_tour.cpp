@@ -60,7 +60,7 @@ std::vector<TourStop> studioTour(const TouredStudio& studio) {
          dockWidget("panel"), show("panel")},
         {TourWords::tr("Time runs backwards, too"),
          TourWords::tr(
-             "Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” "
+             "Drag the time slider, or press Alt+PgUp: code, charts and panel show the past. “Resume from Here” "
              "continues from there."),
          [studio] { return studio.toolBar("timeToolBar"); },
          {}},
