@@ -11,6 +11,7 @@
 #include "runtime/controller/controller.h"
 
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -154,6 +155,59 @@ inline void promiseKept(controller::Controller& controller) {
     promise(holdsTheSame(controller.program(), before, controller.image()));
 }
 
+/// Whether a leaf belongs to what a report calls kept: "Main", "Main.block" or, of an array that was resized,
+/// "Main.a[2..5]".
+inline bool isUnder(std::string_view leaf, std::string_view kept) {
+    const size_t dots = kept.rfind("..");
+    if (dots != std::string_view::npos) {
+        const size_t open = kept.rfind('[');
+        if (!leaf.starts_with(kept.substr(0, open + 1))) return false;
+        const long long index = std::atoll(leaf.data() + open + 1);
+        return index >= std::atoll(kept.data() + open + 1) && index <= std::atoll(kept.data() + dots + 2);
+    }
+    return leaf.starts_with(kept) &&
+           (leaf.size() == kept.size() || leaf[kept.size()] == '.' || leaf[kept.size()] == '[');
+}
+
+using Leaves = std::map<std::string, std::pair<std::string, std::string>>; // path → name of its type, value
+
+inline std::string nameOf(const types::Type& type) {
+    return std::to_string(static_cast<int>(type.kind)) + type.name + std::to_string(type.capacity);
+}
+
+/// Of what has no address (two of those may share their bytes) and refers to nothing (what it refers to moves).
+inline Leaves leavesOf(const image::Layout& layout, std::span<const std::byte> image) {
+    constexpr size_t kMost = 2'000;
+    Leaves out;
+    for (const image::Root& root : layout.roots) {
+        if (!root.address.empty() || root.constant || root.isHidden) continue;
+        layout.forEachLeaf(image::Layout::pathOf(root), {root.type, root.offset, root.bit},
+                           [&](const std::string& path, const image::Place& at) {
+                               const types::TypeKind kind = layout.types->storageKind(at.type);
+                               if (kind == types::TypeKind::Pointer || kind == types::TypeKind::Reference ||
+                                   kind == types::TypeKind::Interface)
+                                   return true;
+                               const types::Value value =
+                                   types::readValue(*layout.types, at.type, image.subspan(at.offset), at.bit);
+                               out[path] = {nameOf((*layout.types)[at.type]), types::toText(*layout.types, value)};
+                               return out.size() < kMost;
+                           });
+    }
+    return out;
+}
+
+/// What the report calls kept has the value it had.
+inline void promiseCarried(const Leaves& before, const Leaves& after, const controller::OnlineChangeReport& report) {
+    for (const std::string& kept : report.kept)
+        for (auto leaf = before.lower_bound(kept.substr(0, kept.find('['))); leaf != before.end(); ++leaf) {
+            if (!leaf->first.starts_with(kept.substr(0, kept.find('[')))) break;
+            if (!isUnder(leaf->first, kept)) continue;
+            const auto now = after.find(leaf->first);
+            promise(now == after.end() || now->second.first != leaf->second.first ||
+                    now->second.second == leaf->second.second);
+        }
+}
+
 void changeText(std::string_view bytes) {
     const driver::Built first = driver::build(inputOf(bytes));
     if (!first.program) return;
@@ -164,7 +218,10 @@ void changeText(std::string_view bytes) {
     someScans(controller);
     promiseKept(controller);
     for (const driver::Built* next : {&second, &first}) {
-        (void)controller.changeProgram(next->program); // what it refuses it says
+        const Leaves before = leavesOf(controller.program().layout, controller.image());
+        const controller::OnlineChangeReport report = controller.changeProgram(next->program);
+        if (report.refusal.isEmpty())
+            promiseCarried(before, leavesOf(controller.program().layout, controller.image()), report);
         someScans(controller);
         promiseKept(controller);
     }
