@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds and runs every test. --long also takes the sanitizer presets, every token of the broken programs, and ten minutes of each
+# Builds and runs every test. --long also takes the sanitizer presets, every token of the broken programs, and five minutes of each
 # fuzz target (CONTRIBUTING.md says what that is and how long it takes), and ends with a table of what ran and how long each part took.
-# FUZZ_SECONDS=600 and FUZZERS (how many at once, at most one per core) steer the fuzzers.
+# FUZZ_SECONDS=300 and FUZZERS (how many at once, at most one per core) steer the fuzzers.
 source "$(dirname "$0")/.ci/setup.sh"
 long=0
 for word in "$@"; do
@@ -107,7 +107,7 @@ fuzz() { # fuzz target
         longest=65536 # a recording holds the libraries' text
         words=("-dict=build/fuzz/corpus/$1.dict")
     fi
-    exec "build/asan/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" "${words[@]}" -print_final_stats=1 \
+    exec "build/asan/bin/$1" -max_total_time="${FUZZ_SECONDS:-300}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" "${words[@]}" -print_final_stats=1 \
         "-artifact_prefix=build/fuzz/findings/${1}_" "build/fuzz/corpus/$1" "${seeds[@]}"
 }
 
@@ -127,8 +127,8 @@ if [ "$long" = 1 ]; then
     part "asan: every test" run_tests asan
     at_once=${FUZZERS:-2}
     [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
-    say "fuzz: ${FUZZ_SECONDS:-600} s each, $at_once at once; a finding lies in build/fuzz/findings"
-    part "fuzz: eight targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
+    say "fuzz: ${FUZZ_SECONDS:-300} s each, $at_once at once; a finding lies in build/fuzz/findings"
+    part "fuzz: eight targets, ${FUZZ_SECONDS:-300} s each, $at_once at once" \
         side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change fuzz_messages fuzz_inputs fuzz_peers
     configure tsan
     part "tsan: build" build tsan
