@@ -586,8 +586,8 @@
         <translation>{0} er flertydig: {1}; skriv navnerummet foran</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Tegnet {0} findes ikke i STRING (Latin-1); brug WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>Tegnet {0} findes ikke i STRING ({1}); brug WSTRING, eller &quot;stringEncoding&quot;: &quot;UTF-8&quot; i project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -1351,8 +1351,8 @@
         <translation>værdierne er {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>skriv den i anførselstegn, for eksempel {0}, kun med Latin-1-tegn</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>skriv den i anførselstegn, for eksempel {0}; kun WSTRING har alle tegn</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1867,8 @@
         <translation>{0} passer ikke i {1}; brug en større type eller en mindre grænse</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING rummer kun tegn i {0}; erklær variablen som WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3511,6 +3511,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Programmet bruger __NEW; ”memoryForNew” i project.json afsætter 65536 byte til det</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>STRING-konstanter indeholder tegn, som Latin-1 ikke har ({0} og så videre); ”stringEncoding” i project.json er {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

@@ -586,8 +586,8 @@
         <translation>{0} ist mehrdeutig: {1}; den Namensraum davor schreiben</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Das Zeichen {0} ist nicht in STRING (Latin-1); WSTRING verwenden</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>Das Zeichen {0} ist nicht in STRING ({1}); WSTRING verwenden oder &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -1351,8 +1351,8 @@
         <translation>die Werte sind {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>schreiben Sie ihn in Anführungszeichen, zum Beispiel {0}, nur mit Latin-1-Zeichen</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>schreiben Sie ihn in Anführungszeichen, zum Beispiel {0}; nur WSTRING hat alle Zeichen</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1867,8 @@
         <translation>{0} passt nicht in {1}; verwenden Sie einen größeren Typ oder einen kleineren Grenzwert</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING fasst nur Zeichen in {0}; deklarieren Sie die Variable als WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3511,6 +3511,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Das Programm verwendet __NEW; „memoryForNew“ in project.json reserviert dafür 65536 Bytes</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>STRING-Konstanten enthalten Zeichen, die Latin-1 nicht hat ({0} und so weiter); „stringEncoding“ in project.json ist {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

@@ -586,8 +586,8 @@
         <translation>{0} es ambiguo: {1}; escriba delante el espacio de nombres</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>El carácter {0} no existe en STRING (Latin-1); use WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>El carácter {0} no existe en STRING ({1}); use WSTRING, o &quot;stringEncoding&quot;: &quot;UTF-8&quot; en project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -1351,8 +1351,8 @@
         <translation>sus valores son {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>escríbalo entre comillas, por ejemplo {0}, solo con caracteres Latin-1</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>escríbalo entre comillas, por ejemplo {0}; solo WSTRING tiene todos los caracteres</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1867,8 @@
         <translation>{0} no cabe en {1}; use un tipo mayor o un límite menor</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING solo contiene Latin-1; declare la variable como WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING solo contiene caracteres de {0}; declare la variable como WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3511,6 +3511,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>El programa usa __NEW; «memoryForNew» en project.json le reserva 65536 bytes</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>Hay constantes STRING con caracteres que Latin-1 no tiene ({0}, etc.); «stringEncoding» en project.json es {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

@@ -586,8 +586,8 @@
         <translation>{0} est ambigu&#xa0;: {1}&#x202f;; le faire précéder de l’espace de noms</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Le caractère {0} n’existe pas en STRING (Latin-1)&#x202f;; utiliser WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>Le caractère {0} n’existe pas en STRING ({1})&#x202f;; utiliser WSTRING, ou &quot;stringEncoding&quot;: &quot;UTF-8&quot; dans project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -1351,8 +1351,8 @@
         <translation>ses valeurs sont {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>écrivez-le entre apostrophes, par exemple {0}, avec des caractères Latin-1 uniquement</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>écrivez-le entre apostrophes, par exemple {0}&#x202f;; seul WSTRING a tous les caractères</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1867,8 @@
         <translation>{0} dépasse la plage de {1}&#x202f;; utilisez un type plus grand ou une limite plus petite</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING ne contient que du Latin-1&#x202f;; déclarez la variable en WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING ne contient que des caractères de {0}&#x202f;; déclarez la variable en WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3511,6 +3511,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Le programme utilise __NEW&#x202f;; «&#xa0;memoryForNew&#xa0;» dans project.json lui réserve 65536 octets</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>Des constantes STRING contiennent des caractères que Latin-1 n’a pas ({0}, etc.)&#x202f;; «&#xa0;stringEncoding&#xa0;» dans project.json est {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

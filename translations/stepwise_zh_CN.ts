@@ -586,8 +586,8 @@
         <translation>{0} 不明确：{1}；请在前面写上命名空间</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>STRING（Latin-1）中没有字符 {0}；请使用 WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>STRING（{1}）中没有字符 {0}；请使用 WSTRING，或在 project.json 中写入 &quot;stringEncoding&quot;: &quot;UTF-8&quot;</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -1351,8 +1351,8 @@
         <translation>可用的值为 {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>请写在引号内，例如 {0}，且仅用 Latin-1 字符</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>请写在引号内，例如 {0}；只有 WSTRING 包含所有字符</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1867,8 @@
         <translation>{0} 超出 {1} 的范围；请使用更大的类型或更小的限值</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING 只包含 Latin-1；请将变量声明为 WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING 只包含 {0} 的字符；请将变量声明为 WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3511,6 +3511,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>程序使用 __NEW；project.json 中的“memoryForNew”为其预留 65536 字节</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>STRING 常量包含 Latin-1 没有的字符（{0} 等）；project.json 中的“stringEncoding”为 {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

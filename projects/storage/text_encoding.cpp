@@ -29,7 +29,7 @@ const CodePage& codePageOf(Encoding encoding) {
         static const CodePage page = readCodePage(Encoding::Name);                                                     \
         return page;                                                                                                   \
     }
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     case Encoding::Utf8:
     case Encoding::Utf8Bom:
     case Encoding::Utf16Le:
@@ -175,7 +175,7 @@ std::string_view nameOf(Encoding encoding) {
 #define PLC_CODE_PAGE(Name, Shown, Others)                                                                             \
     case Encoding::Name:                                                                                               \
         return Shown;
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     }
     return {};
 }
@@ -193,14 +193,14 @@ std::optional<Encoding> encodingNamed(std::string_view name) {
     if (isNamed("UTF-16BE", "")) return Encoding::Utf16Be;
 #define PLC_CODE_PAGE(Name, Shown, Others)                                                                             \
     if (isNamed(Shown, Others)) return Encoding::Name;
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     return std::nullopt;
 }
 
 std::vector<std::string> codePageNames() {
     return {
 #define PLC_CODE_PAGE(Name, Shown, Others) Shown,
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     };
 }
 

@@ -75,9 +75,7 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
     if (const auto* narrow = std::get_if<std::string>(&value.data)) {
         length = narrow->size();
         if (wide) {
-            std::u16string text;
-            for (const char c : *narrow) text += static_cast<char16_t>(static_cast<unsigned char>(c));
-            out.data = std::move(text);
+            out.data = types::wideOfString(types.strings, *narrow);
         } else {
             out.data = *narrow;
         }
@@ -86,11 +84,10 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
         if (wide) {
             out.data = *text;
         } else {
-            std::string bytes;
-            for (const char16_t c : *text) {
-                if (c > 0xff) return Error{errors::CharacterDoesNotFit(), {}};
-                bytes += static_cast<char>(c);
-            }
+            bool isWhole = true;
+            std::string bytes = types::stringOfWide(types.strings, *text, isWhole);
+            if (!isWhole) return Error{errors::CharacterDoesNotFit(), {}};
+            length = bytes.size();
             out.data = std::move(bytes);
         }
     } else {

@@ -72,29 +72,32 @@ ScalarText textOf(TypeKind from, const Value& value) {
     return scalarText(from, value.integer());
 }
 
-/// One text type into the other, or a scalar's text into either, cut to the capacity. Latin-1 maps onto the first 256
-/// of UTF-16.
+/// One text type into the other, or a scalar's text into either, cut to the capacity.
 Value toTextValue(const TypeTable& types, TypeId type, const Value& value, bool& ok) {
     const Type& target = types[types.storage(type)];
     std::u16string wide;
     if (const auto* text = std::get_if<std::string>(&value.data)) {
-        for (const char c : *text) wide += static_cast<unsigned char>(c);
+        if (target.kind == TypeKind::String) return {type, text->substr(0, target.capacity)};
+        wide = wideOfString(types.strings, *text);
     } else if (const auto* text16 = std::get_if<std::u16string>(&value.data)) {
         wide = *text16;
     } else if (const TypeKind from = types.storageKind(value.type); familyOf(from) == Family::Character) {
-        if (value.integer() != 0) wide += static_cast<char16_t>(value.integer());
+        if (value.integer() != 0 && from == TypeKind::Char) {
+            const auto byte = static_cast<char>(value.integer());
+            if (target.kind == TypeKind::String) return {type, std::string(target.capacity > 0 ? 1 : 0, byte)};
+            wide = wideOfString(types.strings, {&byte, 1});
+        } else if (value.integer() != 0) {
+            wide += static_cast<char16_t>(value.integer());
+        }
     } else {
         const ScalarText text = textOf(from, value);
         for (const char c : text.view()) wide += static_cast<unsigned char>(c);
     }
-    if (wide.size() > target.capacity) wide.resize(target.capacity);
-    if (target.kind == TypeKind::Wstring) return {type, std::move(wide)};
-    std::string narrow;
-    for (const char16_t c : wide) {
-        if (c > 0xFF) ok = false;
-        narrow += c > 0xFF ? '?' : static_cast<char>(c);
+    if (target.kind == TypeKind::Wstring) {
+        if (wide.size() > target.capacity) wide.resize(target.capacity);
+        return {type, std::move(wide)};
     }
-    return {type, std::move(narrow)};
+    return {type, stringOfWide(types.strings, wide, ok, target.capacity)};
 }
 
 Value fromText(TypeId type, TypeKind to, std::string_view text, bool& ok) {

@@ -302,6 +302,7 @@ private:
     [[nodiscard]] bool mayOverlap(const tree::Expr& expr, const tree::Place& target) const;
     Value* textCompare(library::BinaryOp op, const Text& a, const Text& c);
     Value* textIntrinsicScalar(const tree::Expr& expr);
+    bool addStringCode(std::vector<Value*>& arguments);
     void assignText(const Text& to, const Text& from);
 
     // calls.cpp

@@ -211,10 +211,13 @@ Operand convertedText(Context& context, Operand operand, TypeId to) {
             // Too long is only advised: the assignment cuts at the capacity.
             if (context.types.kind(from) == context.types.kind(to)) return operand;
             if (wide) {
-                for (const char16_t c : *wide) {
-                    // STRING is Latin-1: a byte for a character.
-                    if (c <= 0xFF) continue;
-                    context.emit(range, findings::CharacterNotInString(utf16ToUtf8(std::u16string(1, c))));
+                const std::string utf8 = utf16ToUtf8(*wide);
+                size_t bad = 0;
+                if (!types::stringOfUtf8(context.types.strings, utf8, &bad)) {
+                    size_t end = bad;
+                    (void)decodeUtf8(utf8, end);
+                    context.emit(range, findings::CharacterNotInString(utf8.substr(bad, end - bad),
+                                                                       types::nameOf(context.types.strings)));
                     return unknown(context, range);
                 }
             }
