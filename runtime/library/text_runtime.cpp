@@ -378,6 +378,16 @@ uint8_t plc_wtext_to_narrow_by(char* to, uint32_t toCapacity, const char16_t* fr
     return isWhole;
 }
 
+uint32_t plc_char_to_wide_by(uint32_t character, uint32_t code) {
+    return plc::types::wideOfCharacter(static_cast<plc::types::StringCode>(code),
+                                       static_cast<unsigned char>(character));
+}
+int32_t plc_wchar_to_narrow_by(uint32_t character, uint32_t code) {
+    const auto made = plc::types::characterOfWide(static_cast<plc::types::StringCode>(code),
+                                                  static_cast<char16_t>(character));
+    return made ? *made : -1;
+}
+
 void plc_text_upper_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code) {
     const lib::View<char> from = lib::viewOf(text, capacity);
     lib::produce<char>(to, toCapacity, {from}, [&](lib::Output<char>& out) {
@@ -503,6 +513,7 @@ std::span<const RuntimeSymbol> runtimeSymbols() {
         PLC_SYMBOL(plc_power_integer),   PLC_SYMBOL(plc_multiply_duration), PLC_SYMBOL(plc_divide_duration),
         PLC_SYMBOL(plc_real_to_time),    PLC_SYMBOL(plc_text_to_wide_by),   PLC_SYMBOL(plc_wtext_to_narrow_by),
         PLC_SYMBOL(plc_text_upper_by),   PLC_SYMBOL(plc_text_lower_by),
+        PLC_SYMBOL(plc_char_to_wide_by), PLC_SYMBOL(plc_wchar_to_narrow_by),
     };
 #undef PLC_TEXT_SYMBOLS
 #undef PLC_SYMBOL

@@ -57,6 +57,8 @@ uint8_t plc_wtext_to_narrow(char* to, uint32_t toCapacity, const char16_t* from,
 void plc_text_to_wide_by(char16_t* to, uint32_t toCapacity, const char* from, uint32_t fromCapacity, uint32_t code);
 uint8_t plc_wtext_to_narrow_by(char* to, uint32_t toCapacity, const char16_t* from, uint32_t fromCapacity,
                                uint32_t code);
+uint32_t plc_char_to_wide_by(uint32_t character, uint32_t code);
+int32_t plc_wchar_to_narrow_by(uint32_t character, uint32_t code); // -1: STRING does not have it in one byte
 void plc_text_upper_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code);
 void plc_text_lower_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code);
 }

@@ -111,11 +111,35 @@ Value fromText(TypeId type, TypeKind to, std::string_view text, bool& ok) {
     return {type, number.value_or(0)};
 }
 
-Value fromWideText(TypeId type, TypeKind to, std::u16string_view text, bool& ok) {
-    if (to == TypeKind::Wchar) {
-        if (text.empty()) ok = false;
-        return {type, text.empty() ? int64_t{0} : static_cast<int64_t>(text.front())};
+Value firstOfWide(TypeId type, std::u16string_view text, bool& ok) {
+    if (text.empty()) ok = false;
+    return {type, text.empty() ? int64_t{0} : static_cast<int64_t>(text.front())};
+}
+
+/// Texts and characters of both widths where STRING is not Latin-1, whose characters have the same numbers in both;
+/// none: the conversion is not between them.
+std::optional<Value> betweenWidths(StringCode code, TypeId type, TypeKind from, TypeKind to, const Value& value,
+                                   bool& ok) {
+    if (code == StringCode::Latin1) return std::nullopt;
+    if (from == TypeKind::Char && to == TypeKind::Wchar)
+        return Value{type, int64_t{wideOfCharacter(code, static_cast<unsigned char>(value.integer()))}};
+    if (from == TypeKind::Wchar && to == TypeKind::Char) {
+        const auto made = characterOfWide(code, static_cast<char16_t>(value.integer()));
+        ok = made.has_value();
+        return Value{type, int64_t{made.value_or('?')}};
     }
+    if (from == TypeKind::String && to == TypeKind::Wchar)
+        return firstOfWide(type, wideOfString(code, std::get<std::string>(value.data)), ok);
+    if (from == TypeKind::Wstring && to == TypeKind::Char) {
+        const std::string first = stringOfWide(code, std::get<std::u16string>(value.data), ok, 1);
+        if (first.empty()) ok = false;
+        return Value{type, first.empty() ? int64_t{0} : int64_t{static_cast<unsigned char>(first.front())}};
+    }
+    return std::nullopt;
+}
+
+Value fromWideText(TypeId type, TypeKind to, std::u16string_view text, bool& ok) {
+    if (to == TypeKind::Wchar) return firstOfWide(type, text, ok);
     std::string narrow; // a character beyond Latin-1 ends the number, as any other letter does
     for (const char16_t c : text) narrow += c > 0xFF ? '?' : static_cast<char>(c);
     Value value = fromText(type, to, narrow, ok);
@@ -157,6 +181,7 @@ Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok) {
     }
     const TypeKind source = types.storageKind(value.type), target = types.storageKind(to);
     if (target == TypeKind::String || target == TypeKind::Wstring) return finish(toTextValue(types, to, value, good));
+    if (auto made = betweenWidths(types.strings, to, source, target, value, good)) return finish(std::move(*made));
     if (const auto* text = std::get_if<std::string>(&value.data)) return finish(fromText(to, target, *text, good));
     if (const auto* wide = std::get_if<std::u16string>(&value.data))
         return finish(fromWideText(to, target, *wide, good));

@@ -232,6 +232,19 @@ std::string stringOfWide(StringCode code, std::u16string_view wide, bool& isWhol
     return out;
 }
 
+char16_t wideOfCharacter(StringCode code, unsigned char byte) {
+    const auto letter = static_cast<char>(byte);
+    size_t at = 0;
+    const char32_t c = characterAt(code, {&letter, 1}, at);
+    return static_cast<char16_t>(c >= kRawByte ? c - kRawByte : c);
+}
+
+std::optional<unsigned char> characterOfWide(StringCode code, char16_t wide) {
+    const CharacterBytes bytes = bytesOfCharacter(code, wide);
+    if (bytes.size != 1) return std::nullopt;
+    return static_cast<unsigned char>(bytes.data[0]);
+}
+
 char16_t upperCharacter(char16_t c) { return otherCase(c, true); }
 char16_t lowerCharacter(char16_t c) { return otherCase(c, false); }
 char upperLetter(StringCode code, char letter) { return otherLetter(code, letter, true); }

@@ -48,6 +48,11 @@ struct CharacterBytes {
 [[nodiscard]] std::string stringOfWide(StringCode code, std::u16string_view wide, bool& isWhole,
                                        size_t capacity = SIZE_MAX);
 
+/// CHAR as WCHAR: the character of the byte; the byte's number where it is none.
+[[nodiscard]] char16_t wideOfCharacter(StringCode code, unsigned char byte);
+/// WCHAR as CHAR: none when the character is not one byte.
+[[nodiscard]] std::optional<unsigned char> characterOfWide(StringCode code, char16_t wide);
+
 /// The letter's counterpart: ASCII, Latin with marks, Greek, Cyrillic.
 [[nodiscard]] char16_t upperCharacter(char16_t c);
 [[nodiscard]] char16_t lowerCharacter(char16_t c);

@@ -252,6 +252,8 @@ private:
 
     // conversions.cpp
     Value* convert(Value* value, types::TypeId from, types::TypeId to, Value** ok = nullptr);
+    Value* convertCharacter(Value* value, types::TypeKind to, Value** ok);
+    Value* firstNarrowed(const Text& wide);
     Value* convertExpr(const tree::Expr& expr);
     Value* integerToReal(Value* value, types::TypeId from, llvm::Type* to);
     Value* fitTime(Value* nanoseconds, types::TypeKind to);

@@ -317,6 +317,11 @@ std::optional<Operand> convertedCharacter(Context& context, const Operand& opera
         return std::nullopt;
     const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
     const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
+    if (narrow && toKind == TypeKind::Wchar) { // of a named constant: a literal has been wide already
+        const std::u16string same = types::wideOfString(context.types.strings, *narrow);
+        if (same.size() != 1) return std::nullopt;
+        return constant(context, {to, int64_t(same.front())}, operand.expr->range);
+    }
     if (narrow && narrow->size() == 1)
         return constant(context, {to, int64_t(static_cast<unsigned char>(narrow->front()))}, operand.expr->range);
     if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16)

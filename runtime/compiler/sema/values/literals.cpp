@@ -218,12 +218,14 @@ struct Characters {
     std::string utf8;
     char32_t foreign = 0; // the first that STRING does not have
 };
-Characters charactersOf(types::StringCode code, std::u32string_view text) {
+Characters charactersOf(types::StringCode code, std::u32string_view text, bool isWide) {
     Characters out;
     for (const char32_t c : text) {
         if (!types::appendCharacter(code, out.narrow, c) && !out.foreign) out.foreign = c;
         appendUtf8(out.utf8, c >= types::kRawByte ? c - types::kRawByte : c);
     }
+    // '$C6' is a byte of a STRING also where a WSTRING takes it.
+    if (!isWide && !out.foreign) out.utf8 = types::utf8OfString(code, out.narrow);
     return out;
 }
 
@@ -244,7 +246,7 @@ Operand textLiteral(Context& context, const Written& written) {
     const bool isWide = e.op == TokenKind::WstringLiteral;
     if (isWide && !written.typed.isValid())
         if (const auto named = quotedName(context, e, written.hint)) return *named;
-    const Characters text = charactersOf(context.types.strings, parseText(e.text, isWide));
+    const Characters text = charactersOf(context.types.strings, parseText(e.text, isWide), isWide);
     const TypeKind wanted = written.typed.isValid()  ? context.types.storageKind(written.typed)
                             : written.hint.isValid() ? context.types.storageKind(written.hint)
                                                      : TypeKind::Unknown;
