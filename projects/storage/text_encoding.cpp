@@ -1,8 +1,8 @@
 #include "projects/storage/text_encoding.h"
 
 #include "projects/storage/errors.h"
+#include "runtime/base/code_pages.h"
 #include "runtime/base/text.h"
-#include "runtime/platform/code_pages.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ using CodePage = std::array<char16_t, 128>;
 /// The characters of a code page from 0x80 on. A byte without one stays the control character of its number, so that it
 /// comes out again.
 CodePage readCodePage(Encoding encoding) {
-    CodePage out = platform::upperHalfOf(std::string(nameOf(encoding)).c_str());
+    CodePage out = upperHalfOf(nameOf(encoding));
     for (size_t i = 0; i < out.size(); ++i)
         if (out[i] == 0) out[i] = static_cast<char16_t>(0x80 + i);
     return out;

@@ -1,7 +1,7 @@
 #include "runtime/types/string_code.h"
 
+#include "runtime/base/code_pages.h"
 #include "runtime/base/text.h"
-#include "runtime/platform/code_pages.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ const UpperHalf& pageOf(StringCode code) {
     switch (code) {
 #define PLC_CODE_PAGE(Name, Shown, Others)                                                                             \
     case StringCode::Name: {                                                                                           \
-        static const UpperHalf page = platform::upperHalfOf(Shown);                                                    \
+        static const UpperHalf page = upperHalfOf(Shown);                                                              \
         return page;                                                                                                   \
     }
 #include "runtime/base/code_pages.def"

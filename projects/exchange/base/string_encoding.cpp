@@ -35,6 +35,7 @@ std::set<char32_t> foreignCharacters(const Imported& imported, std::string& firs
 } // namespace
 
 void chooseStringEncoding(Imported& imported) {
+    if (imported.strings != StringCode::Latin1) return; // one of our exports says it
     std::string file;
     const std::set<char32_t> characters = foreignCharacters(imported, file);
     if (characters.empty()) return;

@@ -4,7 +4,8 @@
 
 namespace plc::exchange {
 
-/// CODESYS and TwinCAT keep a STRING in the code page of Windows: the first one that has every character, else UTF-8.
+/// Unless the import has found it: CODESYS and TwinCAT keep a STRING in the code page of Windows: the first one that
+/// has every character, else UTF-8.
 void chooseStringEncoding(Imported& imported);
 
 } // namespace plc::exchange
