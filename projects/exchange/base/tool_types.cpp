@@ -34,6 +34,7 @@ constexpr ToolType kTwinCat[] = {
     {"TIMESTRUCT", "STRUCT wYear, wMonth, wDayOfWeek, wDay, wHour, wMinute, wSecond, wMilliseconds : WORD; END_STRUCT"},
     {"T_FILETIME", "STRUCT dwLowDateTime, dwHighDateTime : DWORD; END_STRUCT"},
     {"T_FILETIME64", "ULINT"},
+    {"T_DCTIME32", "UDINT"},
     {"T_DCTIME64", "ULINT"}};
 
 /// Beremiz has a type HMI_INT beside INT, and so on, for variables that its panels see; HMI_NODE groups them.

@@ -136,16 +136,16 @@ TEST_F(RoundTrip, EveryElementIsAFixpointInBothVersions) {
     expectFixpoint(everything("0201"), Edition::Plain0201);
 }
 
-TEST_F(RoundTrip, TheEndOfAnActionHasNoName) { // neither schema has one
+TEST_F(RoundTrip, TheEndsOfActionsAndConvergencesHaveNoName) { // neither schema has one
     const projects::Project project = onDisk(import(everything("0200")), "schema");
-    const auto hasName = [&](Edition edition) {
+    const auto hasName = [&](const std::string& element, Edition edition) {
         const std::string text = exported(project, edition);
-        const size_t begin = text.find("<actionBlock"), end = text.find("</actionBlock>", begin);
-        EXPECT_NE(end, std::string::npos);
+        const size_t begin = text.find("<" + element), end = text.find("</" + element + ">", begin);
+        EXPECT_NE(end, std::string::npos) << element;
         return text.substr(begin, end - begin).find("<connectionPointOut formalParameter=") != std::string::npos;
     };
-    EXPECT_FALSE(hasName(Edition::Plain0201));
-    EXPECT_FALSE(hasName(Edition::Codesys0200));
+    for (const Edition edition : {Edition::Plain0201, Edition::Codesys0200})
+        for (const char* element : {"actionBlock", "simultaneousConvergence"}) EXPECT_FALSE(hasName(element, edition));
 }
 
 TEST_F(RoundTrip, ADiagramGoesOutAsItCameUnlessItsTextChanged) {

@@ -196,7 +196,8 @@ void assignReference(Context& context, const Denoted& target, const syntax::Expr
         if (!address.isUnknown()) out.push_back(assignStmt(context, place, address.expr, range));
         return;
     }
-    if (place) context.emit(place->range, findings::NotAPointer(context.textOf(place->range)));
+    if (place && !context.isKind(place->type, TypeKind::Unknown))
+        context.emit(place->range, findings::NotAPointer(context.textOf(place->range)));
 }
 
 void assignAggregate(Context& context, tree::Place* place, const syntax::Expr& value, SourceRange range,
@@ -258,6 +259,7 @@ static void referenceStatement(Context& context, const syntax::Stmt& stmt, std::
             if (!source.isUnknown()) assignProperty(context, denoted, source, stmt.range, out);
             return;
         }
+        if (context.isKind(type, TypeKind::Unknown)) return; // the declaration has its message
     }
     if (denoted.kind != Denoted::Kind::Nothing)
         context.emit(stmt.target->range, findings::NotAPointer(context.textOf(stmt.target->range)));
