@@ -706,6 +706,10 @@
         <translation>Adressen {0} har {1} bit, {2} har {3}; skriv {4}</translation>
     </message>
     <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} er en indgang med CONSTANT og tildeles en værdi her; fjern CONSTANT, eller tildel til en anden variabel</translation>
+    </message>
+    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -3361,6 +3365,10 @@
         <translation>Elementet {0} er ikke forbundet og blev udeladt; forbind det i det andet værktøj, og eksporter igen</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>En indgang på {0} er ikke forbundet, så kaldet har for få argumenter; tilføj den værdi, der menes</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer; gør den til en FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML understøtter ikke tests; TEST ”{0}” blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML understøtter ikke navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML understøtter ikke navnerum; navnene i {0} skrives uden præfikset</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML understøtter ikke navnerum; {0} blev udeladt med sine programenheder, fordi der findes endnu et {1}; omdøb et af dem</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>

@@ -706,6 +706,10 @@
         <translation>Die Adresse {0} hat {1} Bit, {2} hat {3}; {4} schreiben</translation>
     </message>
     <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} ist ein Eingang mit CONSTANT, und hier wird ihm ein Wert zugewiesen; CONSTANT entfernen oder einer anderen Variablen zuweisen</translation>
+    </message>
+    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -3361,6 +3365,10 @@
         <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen; verbinden Sie es im anderen Werkzeug und exportieren Sie erneut</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>Ein Eingang von {0} ist nicht verbunden, daher hat der Aufruf zu wenige Argumente; den gemeinten Wert ergänzen</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert; machen Sie daraus einen FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML unterstützt Tests nicht; der TEST „{0}“ wurde ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML unterstützt Namensräume nicht; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML unterstützt Namensräume nicht; die Namen aus {0} werden ohne das Präfix geschrieben</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML unterstützt Namensräume nicht; {0} wurde mit seinen Bausteinen ausgelassen, weil es ein weiteres {1} gibt; eines davon umbenennen</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>

@@ -706,6 +706,10 @@
         <translation>La dirección {0} tiene {1} {1:bit|bits}, {2} tiene {3}; escriba {4}</translation>
     </message>
     <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} es una entrada declarada CONSTANT y aquí se le asigna un valor; quite CONSTANT o asigne a otra variable</translation>
+    </message>
+    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -3361,6 +3365,10 @@
         <translation>El elemento {0} no está conectado y se ha omitido; conéctelo en la otra herramienta y exporte de nuevo</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>Una entrada de {0} no está conectada, por lo que su llamada tiene muy pocos argumentos; añada el valor previsto</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena; conviértala en un FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML no admite pruebas; el TEST «{0}» se ha omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML no admite espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML no admite espacios de nombres; los nombres de {0} se escriben sin el prefijo</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML no admite espacios de nombres; se ha omitido {0} con sus POU porque hay otro {1}; cambie el nombre de uno de ellos</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>

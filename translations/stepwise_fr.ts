@@ -706,6 +706,10 @@
         <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3}&#x202f;; écrire {4}</translation>
     </message>
     <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} est une entrée déclarée CONSTANT et reçoit une valeur ici&#x202f;; retirer CONSTANT ou affecter à une autre variable</translation>
+    </message>
+    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -3361,6 +3365,10 @@
         <translation>L’élément {0} n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>Une entrée de {0} n’est pas reliée, son appel a donc trop peu d’arguments&#x202f;; ajouter la valeur voulue</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas&#x202f;; faites-en un FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML ne prend pas en charge les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; les noms de {0} sont écrits sans le préfixe</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; {0} a été omis avec ses POU, car il existe un autre {1}&#x202f;; renommer l’un des deux</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>

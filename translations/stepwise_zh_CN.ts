@@ -706,6 +706,10 @@
         <translation>地址 {0} 有 {1} 位，{2} 有 {3} 位；请写 {4}</translation>
     </message>
     <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} 是声明为 CONSTANT 的输入，但在此处被赋值；请去掉 CONSTANT 或对其他变量赋值</translation>
+    </message>
+    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -3361,6 +3365,10 @@
         <translation>元素 {0} 未连接，已略去；请在原工具中连接后重新导出</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>{0} 的一个输入未连接，因此其调用的参数太少；请补上所需的值</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>函数中的边沿需要上次调用的值，而函数不存储该值；请改为 FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML 不支持命名空间；{0} 的名称不带前缀</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML 不支持命名空间；{0} 及其 POU 已略去，因为还有另一个 {1}；请重命名其中之一</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>
