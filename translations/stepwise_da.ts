@@ -586,8 +586,8 @@
         <translation>{0} er flertydig: {1}; skriv navnerummet foran</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Tegnet {0} findes ikke i STRING (Latin-1); brug WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>Tegnet {0} findes ikke i STRING ({1}); brug WSTRING, eller &quot;stringEncoding&quot;: &quot;UTF-8&quot; i project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -704,6 +704,10 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>Adressen {0} har {1} bit, {2} har {3}; skriv {4}</translation>
+    </message>
+    <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} er en indgang med CONSTANT og tildeles en værdi her; fjern CONSTANT, eller tildel til en anden variabel</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -1351,8 +1355,8 @@
         <translation>værdierne er {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>skriv den i anførselstegn, for eksempel {0}, kun med Latin-1-tegn</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>skriv den i anførselstegn, for eksempel {0}; kun WSTRING har alle tegn</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1871,8 @@
         <translation>{0} passer ikke i {1}; brug en større type eller en mindre grænse</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING rummer kun tegn i {0}; erklær variablen som WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3361,6 +3365,10 @@
         <translation>Elementet {0} er ikke forbundet og blev udeladt; forbind det i det andet værktøj, og eksporter igen</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>En indgang på {0} er ikke forbundet, så kaldet har for få argumenter; tilføj den værdi, der menes</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer; gør den til en FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML understøtter ikke tests; TEST ”{0}” blev udeladt</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML understøtter ikke navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML understøtter ikke navnerum; navnene i {0} skrives uden præfikset</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML understøtter ikke navnerum; {0} blev udeladt med sine programenheder, fordi der findes endnu et {1}; omdøb et af dem</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>
@@ -3511,6 +3523,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Programmet bruger __NEW; ”memoryForNew” i project.json afsætter 65536 byte til det</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>STRING-konstanter indeholder tegn, som Latin-1 ikke har ({0} og så videre); ”stringEncoding” i project.json er {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

@@ -586,8 +586,8 @@
         <translation>{0} ist mehrdeutig: {1}; den Namensraum davor schreiben</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Das Zeichen {0} ist nicht in STRING (Latin-1); WSTRING verwenden</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>Das Zeichen {0} ist nicht in STRING ({1}); WSTRING verwenden oder &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -704,6 +704,10 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>Die Adresse {0} hat {1} Bit, {2} hat {3}; {4} schreiben</translation>
+    </message>
+    <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} ist ein Eingang mit CONSTANT, und hier wird ihm ein Wert zugewiesen; CONSTANT entfernen oder einer anderen Variablen zuweisen</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -1351,8 +1355,8 @@
         <translation>die Werte sind {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>schreiben Sie ihn in Anführungszeichen, zum Beispiel {0}, nur mit Latin-1-Zeichen</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>schreiben Sie ihn in Anführungszeichen, zum Beispiel {0}; nur WSTRING hat alle Zeichen</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1871,8 @@
         <translation>{0} passt nicht in {1}; verwenden Sie einen größeren Typ oder einen kleineren Grenzwert</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING fasst nur Zeichen in {0}; deklarieren Sie die Variable als WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3361,6 +3365,10 @@
         <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen; verbinden Sie es im anderen Werkzeug und exportieren Sie erneut</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>Ein Eingang von {0} ist nicht verbunden, daher hat der Aufruf zu wenige Argumente; den gemeinten Wert ergänzen</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert; machen Sie daraus einen FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML unterstützt Tests nicht; der TEST „{0}“ wurde ausgelassen</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML unterstützt Namensräume nicht; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML unterstützt Namensräume nicht; die Namen aus {0} werden ohne das Präfix geschrieben</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML unterstützt Namensräume nicht; {0} wurde mit seinen Bausteinen ausgelassen, weil es ein weiteres {1} gibt; eines davon umbenennen</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>
@@ -3511,6 +3523,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Das Programm verwendet __NEW; „memoryForNew“ in project.json reserviert dafür 65536 Bytes</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>STRING-Konstanten enthalten Zeichen, die Latin-1 nicht hat ({0} und so weiter); „stringEncoding“ in project.json ist {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

@@ -586,8 +586,8 @@
         <translation>{0} es ambiguo: {1}; escriba delante el espacio de nombres</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>El carácter {0} no existe en STRING (Latin-1); use WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>El carácter {0} no existe en STRING ({1}); use WSTRING, o &quot;stringEncoding&quot;: &quot;UTF-8&quot; en project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -704,6 +704,10 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>La dirección {0} tiene {1} {1:bit|bits}, {2} tiene {3}; escriba {4}</translation>
+    </message>
+    <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} es una entrada declarada CONSTANT y aquí se le asigna un valor; quite CONSTANT o asigne a otra variable</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -1351,8 +1355,8 @@
         <translation>sus valores son {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>escríbalo entre comillas, por ejemplo {0}, solo con caracteres Latin-1</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>escríbalo entre comillas, por ejemplo {0}; solo WSTRING tiene todos los caracteres</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1871,8 @@
         <translation>{0} no cabe en {1}; use un tipo mayor o un límite menor</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING solo contiene Latin-1; declare la variable como WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING solo contiene caracteres de {0}; declare la variable como WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3361,6 +3365,10 @@
         <translation>El elemento {0} no está conectado y se ha omitido; conéctelo en la otra herramienta y exporte de nuevo</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>Una entrada de {0} no está conectada, por lo que su llamada tiene muy pocos argumentos; añada el valor previsto</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena; conviértala en un FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML no admite pruebas; el TEST «{0}» se ha omitido</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML no admite espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML no admite espacios de nombres; los nombres de {0} se escriben sin el prefijo</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML no admite espacios de nombres; se ha omitido {0} con sus POU porque hay otro {1}; cambie el nombre de uno de ellos</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>
@@ -3511,6 +3523,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>El programa usa __NEW; «memoryForNew» en project.json le reserva 65536 bytes</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>Hay constantes STRING con caracteres que Latin-1 no tiene ({0}, etc.); «stringEncoding» en project.json es {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

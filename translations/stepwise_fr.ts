@@ -586,8 +586,8 @@
         <translation>{0} est ambigu&#xa0;: {1}&#x202f;; le faire précéder de l’espace de noms</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Le caractère {0} n’existe pas en STRING (Latin-1)&#x202f;; utiliser WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>Le caractère {0} n’existe pas en STRING ({1})&#x202f;; utiliser WSTRING, ou &quot;stringEncoding&quot;: &quot;UTF-8&quot; dans project.json</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -704,6 +704,10 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3}&#x202f;; écrire {4}</translation>
+    </message>
+    <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} est une entrée déclarée CONSTANT et reçoit une valeur ici&#x202f;; retirer CONSTANT ou affecter à une autre variable</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -1351,8 +1355,8 @@
         <translation>ses valeurs sont {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>écrivez-le entre apostrophes, par exemple {0}, avec des caractères Latin-1 uniquement</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>écrivez-le entre apostrophes, par exemple {0}&#x202f;; seul WSTRING a tous les caractères</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1871,8 @@
         <translation>{0} dépasse la plage de {1}&#x202f;; utilisez un type plus grand ou une limite plus petite</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING ne contient que du Latin-1&#x202f;; déclarez la variable en WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING ne contient que des caractères de {0}&#x202f;; déclarez la variable en WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3361,6 +3365,10 @@
         <translation>L’élément {0} n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>Une entrée de {0} n’est pas reliée, son appel a donc trop peu d’arguments&#x202f;; ajouter la valeur voulue</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas&#x202f;; faites-en un FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML ne prend pas en charge les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; les noms de {0} sont écrits sans le préfixe</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; {0} a été omis avec ses POU, car il existe un autre {1}&#x202f;; renommer l’un des deux</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>
@@ -3511,6 +3523,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Le programme utilise __NEW&#x202f;; «&#xa0;memoryForNew&#xa0;» dans project.json lui réserve 65536 octets</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>Des constantes STRING contiennent des caractères que Latin-1 n’a pas ({0}, etc.)&#x202f;; «&#xa0;stringEncoding&#xa0;» dans project.json est {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

@@ -586,8 +586,8 @@
         <translation>{0} 不明确：{1}；请在前面写上命名空间</translation>
     </message>
     <message>
-        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>STRING（Latin-1）中没有字符 {0}；请使用 WSTRING</translation>
+        <source>The character {0} is not in STRING ({1}); use WSTRING, or &quot;stringEncoding&quot;: &quot;UTF-8&quot; in project.json</source>
+        <translation>STRING（{1}）中没有字符 {0}；请使用 WSTRING，或在 project.json 中写入 &quot;stringEncoding&quot;: &quot;UTF-8&quot;</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -704,6 +704,10 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>地址 {0} 有 {1} 位，{2} 有 {3} 位；请写 {4}</translation>
+    </message>
+    <message>
+        <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
+        <translation>{0} 是声明为 CONSTANT 的输入，但在此处被赋值；请去掉 CONSTANT 或对其他变量赋值</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -1351,8 +1355,8 @@
         <translation>可用的值为 {0}</translation>
     </message>
     <message>
-        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
-        <translation>请写在引号内，例如 {0}，且仅用 Latin-1 字符</translation>
+        <source>write it in quotes, for example {0}; only WSTRING has every character</source>
+        <translation>请写在引号内，例如 {0}；只有 WSTRING 包含所有字符</translation>
     </message>
     <message>
         <source>write it in quotes, for example {0}</source>
@@ -1867,8 +1871,8 @@
         <translation>{0} 超出 {1} 的范围；请使用更大的类型或更小的限值</translation>
     </message>
     <message>
-        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING 只包含 Latin-1；请将变量声明为 WSTRING</translation>
+        <source>STRING contains characters of {0} only; declare the variable as WSTRING</source>
+        <translation>STRING 只包含 {0} 的字符；请将变量声明为 WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
@@ -3361,6 +3365,10 @@
         <translation>元素 {0} 未连接，已略去；请在原工具中连接后重新导出</translation>
     </message>
     <message>
+        <source>An input of {0} is not connected, so its call has too few arguments; add the value that is meant</source>
+        <translation>{0} 的一个输入未连接，因此其调用的参数太少；请补上所需的值</translation>
+    </message>
+    <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
         <translation>函数中的边沿需要上次调用的值，而函数不存储该值；请改为 FUNCTION_BLOCK</translation>
     </message>
@@ -3421,8 +3429,12 @@
         <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
     </message>
     <message>
-        <source>PLCopen XML does not support namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
+        <source>PLCopen XML does not support namespaces; the names of {0} are written without the prefix</source>
+        <translation>PLCopen XML 不支持命名空间；{0} 的名称不带前缀</translation>
+    </message>
+    <message>
+        <source>PLCopen XML does not support namespaces; {0} was left out with its units because there is another {1}; rename one of them</source>
+        <translation>PLCopen XML 不支持命名空间；{0} 及其 POU 已略去，因为还有另一个 {1}；请重命名其中之一</translation>
     </message>
     <message>
         <source>PLCopen XML does not support USING; it was left out</source>
@@ -3511,6 +3523,10 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>程序使用 __NEW；project.json 中的“memoryForNew”为其预留 65536 字节</translation>
+    </message>
+    <message>
+        <source>STRING constants contain characters that Latin-1 does not have ({0} and so on); &quot;stringEncoding&quot; in project.json is {1}</source>
+        <translation>STRING 常量包含 Latin-1 没有的字符（{0} 等）；project.json 中的“stringEncoding”为 {1}</translation>
     </message>
     <message>
         <source>The file is empty; export it again</source>

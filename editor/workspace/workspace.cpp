@@ -107,6 +107,7 @@ driver::BuildInput Workspace::buildInput() const {
     input.defines = m_project->defines;
     input.addressing = m_project->addressing;
     input.memoryForNew = m_project->memoryForNew;
+    input.strings = m_project->strings;
     input.companions = m_project->companions;
     for (const auto& [file, content] : m_files)
         if (isTestFile(file))

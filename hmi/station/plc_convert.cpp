@@ -26,7 +26,7 @@ Value toPanel(const types::TypeTable& types, const types::Value& value) {
         return Value::ofArray(std::move(out));
     }
     if (const auto* text = std::get_if<std::string>(&value.data))
-        return Value::ofText(QString::fromLatin1(text->data(), static_cast<qsizetype>(text->size())));
+        return Value::ofText(QString::fromStdString(types::utf8OfString(types.strings, *text)));
     if (const auto* wide = std::get_if<std::u16string>(&value.data))
         return Value::ofText(QString::fromStdU16String(*wide));
     if (const auto* real = std::get_if<double>(&value.data)) return Value::ofReal(*real);
@@ -128,11 +128,14 @@ Result<types::Value> toPlc(const types::TypeTable& types, types::TypeId type, co
     if (value.isNone()) return Error{errors::NoValueToWrite(), {}};
     if (types.isText(type)) {
         const QString text = value.kind() == ValueKind::Text ? value.text() : value.toLiteral();
-        if (static_cast<uint32_t>(text.size()) > wanted.capacity) return notFitting(value, wanted);
-        if (wanted.kind == TypeKind::Wstring) return types::Value{type, text.toStdU16String()};
-        const std::optional<std::string> latin1 = utf8ToLatin1(text.toStdString());
-        if (!latin1) return Error{errors::OnlyLatin1(), {}};
-        return types::Value{type, *latin1};
+        if (wanted.kind == TypeKind::Wstring) {
+            if (static_cast<uint32_t>(text.size()) > wanted.capacity) return notFitting(value, wanted);
+            return types::Value{type, text.toStdU16String()};
+        }
+        const std::optional<std::string> bytes = types::stringOfUtf8(types.strings, text.toStdString());
+        if (!bytes) return Error{errors::CharactersNotInString(types::nameOf(types.strings)), {}};
+        if (bytes->size() > wanted.capacity) return notFitting(value, wanted);
+        return types::Value{type, *bytes};
     }
     switch (types.family(type)) {
     case Family::Bool:

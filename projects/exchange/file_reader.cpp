@@ -5,6 +5,7 @@
 #include "projects/exchange/base/beremiz_extension.h"
 #include "projects/exchange/base/c_code.h"
 #include "projects/exchange/base/own_namespaces.h"
+#include "projects/exchange/base/string_encoding.h"
 #include "projects/exchange/base/tool_types.h"
 #include "projects/exchange/base/xml.h"
 #include "projects/exchange/codesys/codesys2_import.h"
@@ -198,6 +199,7 @@ Result<Imported> FileReader::finish(const std::string& path) {
     }
     dropOwnNamespaces(m_out);
     addToolTypes(m_out);
+    chooseStringEncoding(m_out);
     noteAddressing(m_out);
     setMemoryAside(m_out);
     return std::move(m_out);

@@ -167,6 +167,7 @@ projects::Project toProject(const Imported& imported) {
     project.json = Json::object();
     project.addressing = imported.addressing;
     project.memoryForNew = imported.memoryForNew;
+    project.strings = imported.strings;
     project.libraries.assign(imported.libraries.begin(), imported.libraries.end());
     for (const ImportedFile& file : imported.files) project.sources.push_back({file.path, file.text});
     return project;
@@ -190,6 +191,7 @@ Result<void> writeProject(const Imported& imported, const fs::path& root) {
     for (const std::string& library : imported.libraries) project["libraries"].push_back(library);
     if (imported.addressing == image::Addressing::Words) project["addressing"] = "word";
     if (imported.memoryForNew > 0) project["memoryForNew"] = imported.memoryForNew;
+    if (imported.strings != types::StringCode::Latin1) project["stringEncoding"] = nameOf(imported.strings);
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;

@@ -118,6 +118,9 @@ driver::BuildInput Desk::buildInput() const {
     input.libraries = m_project.libraries;
     input.defines = m_project.defines;
     input.companions = m_project.companions;
+    input.addressing = m_project.addressing;
+    input.memoryForNew = m_project.memoryForNew;
+    input.strings = m_project.strings;
     for (const auto& [path, text] : m_texts)
         if (!isTest(path) || m_isLoose) input.files.push_back({path, text});
     if (m_isLoose) return input;

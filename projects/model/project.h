@@ -15,6 +15,7 @@ struct Project {
     std::vector<std::string> defines;   // "Simulation", "Version=2": what conditional pragmas ask for
     image::Addressing addressing = image::Addressing::Bytes; // "byte" or "word": what the number of %MW1 counts
     uint32_t memoryForNew = 0;                               // bytes that __NEW may take; 0: the project has no __NEW
+    types::StringCode strings = types::StringCode::Latin1;   // "stringEncoding": what the bytes of a STRING are
     std::string startPanel;                                  // panel file name without ".panel.json"
     std::vector<std::string> languages;                      // BCP 47, ordered; empty = {"en"}
     std::vector<std::string> fallback;                       // chain of languages

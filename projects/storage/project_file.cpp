@@ -169,6 +169,12 @@ Result<void> readSourceSettings(Project& project, const std::string& file) {
     if (project.json.contains("encoding"))
         if (const auto encoding = parseCodePage(stringField(project.json, "encoding")); !encoding)
             return Error{encoding.error().message, file};
+    if (project.json.contains("stringEncoding")) {
+        const std::string name = stringField(project.json, "stringEncoding");
+        const auto code = types::stringCodeNamed(name);
+        if (!code) return Error{errors::EncodingUnknown(name, {types::stringCodeNames()}), file};
+        project.strings = *code;
+    }
     project.addressing = addressing == "word" ? image::Addressing::Words : image::Addressing::Bytes;
     for (const char* field : {"libraries", "defines"})
         if (project.json.contains(field) && !isListOfNames(project.json[field]))

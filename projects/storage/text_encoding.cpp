@@ -1,8 +1,8 @@
 #include "projects/storage/text_encoding.h"
 
 #include "projects/storage/errors.h"
+#include "runtime/base/code_pages.h"
 #include "runtime/base/text.h"
-#include "runtime/platform/code_pages.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ using CodePage = std::array<char16_t, 128>;
 /// The characters of a code page from 0x80 on. A byte without one stays the control character of its number, so that it
 /// comes out again.
 CodePage readCodePage(Encoding encoding) {
-    CodePage out = platform::upperHalfOf(std::string(nameOf(encoding)).c_str());
+    CodePage out = upperHalfOf(nameOf(encoding));
     for (size_t i = 0; i < out.size(); ++i)
         if (out[i] == 0) out[i] = static_cast<char16_t>(0x80 + i);
     return out;
@@ -29,7 +29,7 @@ const CodePage& codePageOf(Encoding encoding) {
         static const CodePage page = readCodePage(Encoding::Name);                                                     \
         return page;                                                                                                   \
     }
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     case Encoding::Utf8:
     case Encoding::Utf8Bom:
     case Encoding::Utf16Le:
@@ -175,7 +175,7 @@ std::string_view nameOf(Encoding encoding) {
 #define PLC_CODE_PAGE(Name, Shown, Others)                                                                             \
     case Encoding::Name:                                                                                               \
         return Shown;
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     }
     return {};
 }
@@ -193,14 +193,14 @@ std::optional<Encoding> encodingNamed(std::string_view name) {
     if (isNamed("UTF-16BE", "")) return Encoding::Utf16Be;
 #define PLC_CODE_PAGE(Name, Shown, Others)                                                                             \
     if (isNamed(Shown, Others)) return Encoding::Name;
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     return std::nullopt;
 }
 
 std::vector<std::string> codePageNames() {
     return {
 #define PLC_CODE_PAGE(Name, Shown, Others) Shown,
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
     };
 }
 

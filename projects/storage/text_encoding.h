@@ -1,5 +1,5 @@
-// Text files of other tools: UTF-8, UTF-16 (either byte order) and the code pages of encodings.def become UTF-8, and go
-// out as they came. Pure functions, any thread.
+// Text files of other tools: UTF-8, UTF-16 (either byte order) and the code pages of code_pages.def become UTF-8, and
+// go out as they came. Pure functions, any thread.
 #pragma once
 #include "runtime/base/result.h"
 
@@ -16,7 +16,7 @@ enum class Encoding : uint8_t {
     Utf16Le,
     Utf16Be,
 #define PLC_CODE_PAGE(Name, Shown, Others) Name,
-#include "projects/storage/encodings.def"
+#include "runtime/base/code_pages.def"
 };
 
 struct DecodedText {

@@ -345,7 +345,10 @@ Interpreter::Flow Interpreter::failAssertion(const Stmt& at, Message detail) {
     if (at.to) {
         const auto said = evaluate(at.to, at);
         if (said && std::holds_alternative<std::string>(said->data))
-            message = errors::AssertFailedSaying(latin1ToUtf8(std::get<std::string>(said->data)), textOf(at.value));
+            message =
+                errors::AssertFailedSaying(types::utf8OfString(m_session.controller().program().layout.types->strings,
+                                                               std::get<std::string>(said->data)),
+                                           textOf(at.value));
     }
     return fail(at, std::move(message), std::move(detail));
 }

@@ -67,6 +67,21 @@ Result<Value> integerInto(const TypeTable& types, const Value& value, int64_t nu
     return Value{type, number};
 }
 
+/// A text of one character.
+std::optional<Value> characterInto(const TypeTable& types, const Value& value, TypeId type) {
+    const bool wide = types.storageKind(type) == TypeKind::Wchar;
+    if (const auto* text = std::get_if<std::string>(&value.data)) {
+        if (!wide && text->size() == 1) return Value{type, int64_t{static_cast<unsigned char>(text->front())}};
+        const std::u16string same = types::wideOfString(types.strings, *text);
+        if (wide && same.size() == 1) return Value{type, int64_t{same.front()}};
+    }
+    if (const auto* text = std::get_if<std::u16string>(&value.data); text && text->size() == 1) {
+        if (wide) return Value{type, int64_t{text->front()}};
+        if (const auto byte = types::characterOfWide(types.strings, text->front())) return Value{type, int64_t{*byte}};
+    }
+    return std::nullopt;
+}
+
 Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) {
     const Type& t = types[type];
     const bool wide = t.kind == TypeKind::Wstring;
@@ -75,9 +90,9 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
     if (const auto* narrow = std::get_if<std::string>(&value.data)) {
         length = narrow->size();
         if (wide) {
-            std::u16string text;
-            for (const char c : *narrow) text += static_cast<char16_t>(static_cast<unsigned char>(c));
-            out.data = std::move(text);
+            std::u16string same = types::wideOfString(types.strings, *narrow);
+            length = same.size();
+            out.data = std::move(same);
         } else {
             out.data = *narrow;
         }
@@ -86,11 +101,10 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
         if (wide) {
             out.data = *text;
         } else {
-            std::string bytes;
-            for (const char16_t c : *text) {
-                if (c > 0xff) return Error{errors::CharacterDoesNotFit(), {}};
-                bytes += static_cast<char>(c);
-            }
+            bool isWhole = true;
+            std::string bytes = types::stringOfWide(types.strings, *text, isWhole);
+            if (!isWhole) return Error{errors::CharacterDoesNotFit(), {}};
+            length = bytes.size();
             out.data = std::move(bytes);
         }
     } else {
@@ -141,11 +155,7 @@ Result<Value> fitted(const TypeTable& types, const Value& value, TypeId type) {
         return Error{errors::OnlyNullWritten(), {}};
     }
     if (target == Family::Character) {
-        if (const auto* text = std::get_if<std::string>(&value.data); text && text->size() == 1)
-            return Value{type, int64_t(static_cast<unsigned char>((*text)[0]))};
-        if (const auto* text = std::get_if<std::u16string>(&value.data);
-            text && text->size() == 1 && ((*text)[0] <= 0xff || kind == TypeKind::Wchar))
-            return Value{type, int64_t((*text)[0])};
+        if (auto character = characterInto(types, value, type)) return *character;
     }
     const Family source = claimed(types, value);
     const bool sourceIsTime = isTimeLike(source);

@@ -180,6 +180,12 @@ std::optional<PortableProgram> fromBytes(std::string_view bytes) {
     portable.program->layout.types = std::make_shared<types::TypeTable>();
     Reading reader(bytes);
     if (!everything(reader, portable) || !reader.isComplete()) return {};
+    for (const std::string& setting : portable.libraries) // as recordings keep them, "%strings=UTF-8"
+        if (setting.starts_with("%strings="))
+            if (const auto code = types::stringCodeNamed(setting.substr(9))) {
+                portable.program->layout.types->strings = *code;
+                types::prepare(*code);
+            }
     nameReferences(portable.program);
     return portable;
 }

@@ -272,9 +272,17 @@ template <class C> Evaluated textFunction(const Call& call) {
     case Intrinsic::Find:
         return integerResult(call, F::find(text(0), size(0), text(1), size(1)));
     case Intrinsic::ToUpper:
-        return whole(F::upper);
-    case Intrinsic::ToLower:
-        return whole(F::lower);
+    case Intrinsic::ToLower: {
+        const bool toUpper = call.intrinsic == Intrinsic::ToUpper;
+        const types::StringCode code = call.types.strings;
+        if constexpr (sizeof(C) == 1)
+            if (code != types::StringCode::Latin1)
+                return whole([&](char* to, uint32_t capacity, const char* from, uint32_t length) {
+                    (toUpper ? plc_text_upper_by : plc_text_lower_by)(to, capacity, from, length,
+                                                                      static_cast<uint32_t>(code));
+                });
+        return whole(toUpper ? F::upper : F::lower);
+    }
     case Intrinsic::Trim:
         return whole(F::trim);
     case Intrinsic::IsNumber:
@@ -306,7 +314,7 @@ Evaluated anyTextFunction(const Call& call) {
         if (isWide) {
             std::u16string wide;
             if (const auto* narrow = std::get_if<std::string>(&text.data)) {
-                for (const char c : *narrow) wide += static_cast<unsigned char>(c);
+                wide = types::wideOfString(call.types.strings, *narrow);
             } else if (text.integer() != 0) {
                 wide += static_cast<char16_t>(text.integer());
             }

@@ -2,6 +2,7 @@
 
 #include "runtime/types/conversion.h"
 #include "runtime/types/scalar_text.h"
+#include "runtime/types/string_code.h"
 
 #include <array>
 #include <cmath>
@@ -176,31 +177,16 @@ template <class C> uint32_t find(View<C> a, View<C> b) {
     return at == View<C>::npos ? 0 : static_cast<uint32_t>(at + 1);
 }
 
-// Letters with a counterpart in the same character set: ASCII, Latin-1, and in UTF-16 Latin Extended-A, Greek,
-// Cyrillic.
+// Letters with a counterpart in the same character set.
 char16_t upperOf(char16_t c, bool isWide) {
+    if (isWide) return types::upperCharacter(c);
     if (c >= 'a' && c <= 'z') return static_cast<char16_t>(c - 32);
-    if (c >= 0xE0 && c <= 0xFE && c != 0xF7) return static_cast<char16_t>(c - 32);
-    if (!isWide) return c;
-    if (c == 0xFF) return 0x178;
-    if ((c >= 0x139 && c <= 0x148) || (c >= 0x179 && c <= 0x17E)) return (c & 1) ? c : static_cast<char16_t>(c - 1);
-    if (c >= 0x100 && c <= 0x177 && c != 0x131 && c != 0x138) return static_cast<char16_t>(c & ~1);
-    if (c >= 0x3B1 && c <= 0x3C9 && c != 0x3C2) return static_cast<char16_t>(c - 32);
-    if (c >= 0x430 && c <= 0x44F) return static_cast<char16_t>(c - 32);
-    if (c >= 0x450 && c <= 0x45F) return static_cast<char16_t>(c - 80);
-    return c;
+    return c >= 0xE0 && c <= 0xFE && c != 0xF7 ? static_cast<char16_t>(c - 32) : c;
 }
 char16_t lowerOf(char16_t c, bool isWide) {
+    if (isWide) return types::lowerCharacter(c);
     if (c >= 'A' && c <= 'Z') return static_cast<char16_t>(c + 32);
-    if (c >= 0xC0 && c <= 0xDE && c != 0xD7) return static_cast<char16_t>(c + 32);
-    if (!isWide) return c;
-    if (c == 0x178) return 0xFF;
-    if ((c >= 0x139 && c <= 0x148) || (c >= 0x179 && c <= 0x17E)) return (c & 1) ? static_cast<char16_t>(c + 1) : c;
-    if (c >= 0x100 && c <= 0x177 && c != 0x130 && c != 0x138) return static_cast<char16_t>(c | 1);
-    if (c >= 0x391 && c <= 0x3A9 && c != 0x3A2) return static_cast<char16_t>(c + 32);
-    if (c >= 0x410 && c <= 0x42F) return static_cast<char16_t>(c + 32);
-    if (c >= 0x400 && c <= 0x40F) return static_cast<char16_t>(c + 80);
-    return c;
+    return c >= 0xC0 && c <= 0xDE && c != 0xD7 ? static_cast<char16_t>(c + 32) : c;
 }
 
 template <class C, class Map> void mapped(C* to, uint32_t capacity, View<C> text, Map map) {
@@ -353,6 +339,68 @@ uint8_t plc_wtext_to_narrow(char* to, uint32_t toCapacity, const char16_t* from,
     return isWhole;
 }
 
+void plc_text_to_wide_by(char16_t* to, uint32_t toCapacity, const char* from, uint32_t fromCapacity, uint32_t code) {
+    lib::Output<char16_t> out(to, toCapacity);
+    const lib::View<char> text = lib::viewOf(from, fromCapacity);
+    for (size_t at = 0; at < text.size();) {
+        char32_t c = plc::types::characterAt(static_cast<plc::types::StringCode>(code), text, at);
+        if (c >= plc::types::kRawByte) c -= plc::types::kRawByte;
+        if (c > 0xFFFF) {
+            if (out.length() + 2 > toCapacity) break; // no half of a character
+            out.append(static_cast<char16_t>(0xD800 + ((c - 0x10000) >> 10)));
+            c = 0xDC00 + ((c - 0x10000) & 0x3FF);
+        }
+        out.append(static_cast<char16_t>(c));
+    }
+    out.finish();
+}
+
+uint8_t plc_wtext_to_narrow_by(char* to, uint32_t toCapacity, const char16_t* from, uint32_t fromCapacity,
+                               uint32_t code) {
+    lib::Output<char> out(to, toCapacity);
+    bool isWhole = true;
+    const lib::View<char16_t> text = lib::viewOf(from, fromCapacity);
+    for (size_t at = 0; at < text.size(); ++at) {
+        char32_t c = text[at];
+        if (c >= 0xD800 && c < 0xDC00 && at + 1 < text.size() && (text[at + 1] & 0xFC00) == 0xDC00)
+            c = 0x10000 + ((c - 0xD800) << 10) + (text[++at] - 0xDC00u);
+        const plc::types::CharacterBytes bytes =
+            plc::types::bytesOfCharacter(static_cast<plc::types::StringCode>(code), c);
+        isWhole = isWhole && bytes.size > 0;
+        if (bytes.size == 0) {
+            out.append('?');
+            continue;
+        }
+        if (out.length() + bytes.size > toCapacity) break;
+        out.append(lib::View<char>(bytes.data, bytes.size));
+    }
+    out.finish();
+    return isWhole;
+}
+
+uint32_t plc_char_to_wide_by(uint32_t character, uint32_t code) {
+    return plc::types::wideOfCharacter(static_cast<plc::types::StringCode>(code),
+                                       static_cast<unsigned char>(character));
+}
+int32_t plc_wchar_to_narrow_by(uint32_t character, uint32_t code) {
+    const auto made = plc::types::characterOfWide(static_cast<plc::types::StringCode>(code),
+                                                  static_cast<char16_t>(character));
+    return made ? *made : -1;
+}
+
+void plc_text_upper_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code) {
+    const lib::View<char> from = lib::viewOf(text, capacity);
+    lib::produce<char>(to, toCapacity, {from}, [&](lib::Output<char>& out) {
+        for (const char c : from) out.append(plc::types::upperLetter(static_cast<plc::types::StringCode>(code), c));
+    });
+}
+void plc_text_lower_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code) {
+    const lib::View<char> from = lib::viewOf(text, capacity);
+    lib::produce<char>(to, toCapacity, {from}, [&](lib::Output<char>& out) {
+        for (const char c : from) out.append(plc::types::lowerLetter(static_cast<plc::types::StringCode>(code), c));
+    });
+}
+
 int64_t plc_date_part(int64_t nanoseconds, int64_t which) {
     const int64_t day = lib::dayOf(nanoseconds);
     if (which == 3) return ((day + 4) % 7 + 7) % 7; // 1970-01-01 was a Thursday
@@ -463,7 +511,9 @@ std::span<const RuntimeSymbol> runtimeSymbols() {
         PLC_SYMBOL(plc_concat_date),     PLC_SYMBOL(plc_concat_tod),        PLC_SYMBOL(plc_concat_dt),
         PLC_SYMBOL(plc_bcd_to_integer),  PLC_SYMBOL(plc_integer_to_bcd),    PLC_SYMBOL(plc_is_valid_bcd),
         PLC_SYMBOL(plc_power_integer),   PLC_SYMBOL(plc_multiply_duration), PLC_SYMBOL(plc_divide_duration),
-        PLC_SYMBOL(plc_real_to_time),
+        PLC_SYMBOL(plc_real_to_time),    PLC_SYMBOL(plc_text_to_wide_by),   PLC_SYMBOL(plc_wtext_to_narrow_by),
+        PLC_SYMBOL(plc_text_upper_by),   PLC_SYMBOL(plc_text_lower_by),
+        PLC_SYMBOL(plc_char_to_wide_by), PLC_SYMBOL(plc_wchar_to_narrow_by),
     };
 #undef PLC_TEXT_SYMBOLS
 #undef PLC_SYMBOL

@@ -1,7 +1,8 @@
 // Text functions on the bytes of the image, for generated code and as the one implementation behind the evaluator:
-// STRING is Latin-1, WSTRING UTF-16; a text lies in `capacity + 1` characters and ends at the first 0 or at its
-// capacity. Nothing allocates but the rare call whose result overlaps an operand and has over 1,000 characters, and
-// FIND in long texts; none takes longer than its texts are. Pure functions on their arguments, any thread.
+// STRING is Latin-1 unless the program says otherwise, WSTRING UTF-16; a text lies in `capacity + 1` characters and
+// ends at the first 0 or at its capacity. Nothing allocates but the rare call whose result overlaps an operand and has
+// over 1,000 characters, and FIND in long texts; none takes longer than its texts are. Pure functions on their
+// arguments, any thread.
 //
 // What is impossible gives ENO FALSE (the functions return 0): a length below 0 or a position before 1 gives ''. A
 // position behind the end takes the end: MID gives '', INSERT and REPLACE append, DELETE removes nothing. Lengths
@@ -52,6 +53,14 @@ PLC_TEXT_FUNCTIONS(plc_wtext, char16_t)
 void plc_text_to_wide(char16_t* to, uint32_t toCapacity, const char* from, uint32_t fromCapacity);
 uint8_t plc_wtext_to_narrow(char* to, uint32_t toCapacity, const char16_t* from,
                             uint32_t fromCapacity); // 0: a character became '?'
+// Of programs whose STRING is not Latin-1; `code`: types::StringCode.
+void plc_text_to_wide_by(char16_t* to, uint32_t toCapacity, const char* from, uint32_t fromCapacity, uint32_t code);
+uint8_t plc_wtext_to_narrow_by(char* to, uint32_t toCapacity, const char16_t* from, uint32_t fromCapacity,
+                               uint32_t code);
+uint32_t plc_char_to_wide_by(uint32_t character, uint32_t code);
+int32_t plc_wchar_to_narrow_by(uint32_t character, uint32_t code); // -1: STRING does not have it in one byte
+void plc_text_upper_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code);
+void plc_text_lower_by(char* to, uint32_t toCapacity, const char* text, uint32_t capacity, uint32_t code);
 }
 #undef PLC_TEXT_FUNCTIONS
 

@@ -72,29 +72,32 @@ ScalarText textOf(TypeKind from, const Value& value) {
     return scalarText(from, value.integer());
 }
 
-/// One text type into the other, or a scalar's text into either, cut to the capacity. Latin-1 maps onto the first 256
-/// of UTF-16.
+/// One text type into the other, or a scalar's text into either, cut to the capacity.
 Value toTextValue(const TypeTable& types, TypeId type, const Value& value, bool& ok) {
     const Type& target = types[types.storage(type)];
     std::u16string wide;
     if (const auto* text = std::get_if<std::string>(&value.data)) {
-        for (const char c : *text) wide += static_cast<unsigned char>(c);
+        if (target.kind == TypeKind::String) return {type, text->substr(0, target.capacity)};
+        wide = wideOfString(types.strings, *text);
     } else if (const auto* text16 = std::get_if<std::u16string>(&value.data)) {
         wide = *text16;
     } else if (const TypeKind from = types.storageKind(value.type); familyOf(from) == Family::Character) {
-        if (value.integer() != 0) wide += static_cast<char16_t>(value.integer());
+        if (value.integer() != 0 && from == TypeKind::Char) {
+            const auto byte = static_cast<char>(value.integer());
+            if (target.kind == TypeKind::String) return {type, std::string(target.capacity > 0 ? 1 : 0, byte)};
+            wide = wideOfString(types.strings, {&byte, 1});
+        } else if (value.integer() != 0) {
+            wide += static_cast<char16_t>(value.integer());
+        }
     } else {
         const ScalarText text = textOf(from, value);
         for (const char c : text.view()) wide += static_cast<unsigned char>(c);
     }
-    if (wide.size() > target.capacity) wide.resize(target.capacity);
-    if (target.kind == TypeKind::Wstring) return {type, std::move(wide)};
-    std::string narrow;
-    for (const char16_t c : wide) {
-        if (c > 0xFF) ok = false;
-        narrow += c > 0xFF ? '?' : static_cast<char>(c);
+    if (target.kind == TypeKind::Wstring) {
+        if (wide.size() > target.capacity) wide.resize(target.capacity);
+        return {type, std::move(wide)};
     }
-    return {type, std::move(narrow)};
+    return {type, stringOfWide(types.strings, wide, ok, target.capacity)};
 }
 
 Value fromText(TypeId type, TypeKind to, std::string_view text, bool& ok) {
@@ -108,11 +111,35 @@ Value fromText(TypeId type, TypeKind to, std::string_view text, bool& ok) {
     return {type, number.value_or(0)};
 }
 
-Value fromWideText(TypeId type, TypeKind to, std::u16string_view text, bool& ok) {
-    if (to == TypeKind::Wchar) {
-        if (text.empty()) ok = false;
-        return {type, text.empty() ? int64_t{0} : static_cast<int64_t>(text.front())};
+Value firstOfWide(TypeId type, std::u16string_view text, bool& ok) {
+    if (text.empty()) ok = false;
+    return {type, text.empty() ? int64_t{0} : static_cast<int64_t>(text.front())};
+}
+
+/// Texts and characters of both widths where STRING is not Latin-1, whose characters have the same numbers in both;
+/// none: the conversion is not between them.
+std::optional<Value> betweenWidths(StringCode code, TypeId type, TypeKind from, TypeKind to, const Value& value,
+                                   bool& ok) {
+    if (code == StringCode::Latin1) return std::nullopt;
+    if (from == TypeKind::Char && to == TypeKind::Wchar)
+        return Value{type, int64_t{wideOfCharacter(code, static_cast<unsigned char>(value.integer()))}};
+    if (from == TypeKind::Wchar && to == TypeKind::Char) {
+        const auto made = characterOfWide(code, static_cast<char16_t>(value.integer()));
+        ok = made.has_value();
+        return Value{type, int64_t{made.value_or('?')}};
     }
+    if (from == TypeKind::String && to == TypeKind::Wchar)
+        return firstOfWide(type, wideOfString(code, std::get<std::string>(value.data)), ok);
+    if (from == TypeKind::Wstring && to == TypeKind::Char) {
+        const std::string first = stringOfWide(code, std::get<std::u16string>(value.data), ok, 1);
+        if (first.empty()) ok = false;
+        return Value{type, first.empty() ? int64_t{0} : int64_t{static_cast<unsigned char>(first.front())}};
+    }
+    return std::nullopt;
+}
+
+Value fromWideText(TypeId type, TypeKind to, std::u16string_view text, bool& ok) {
+    if (to == TypeKind::Wchar) return firstOfWide(type, text, ok);
     std::string narrow; // a character beyond Latin-1 ends the number, as any other letter does
     for (const char16_t c : text) narrow += c > 0xFF ? '?' : static_cast<char>(c);
     Value value = fromText(type, to, narrow, ok);
@@ -154,6 +181,7 @@ Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok) {
     }
     const TypeKind source = types.storageKind(value.type), target = types.storageKind(to);
     if (target == TypeKind::String || target == TypeKind::Wstring) return finish(toTextValue(types, to, value, good));
+    if (auto made = betweenWidths(types.strings, to, source, target, value, good)) return finish(std::move(*made));
     if (const auto* text = std::get_if<std::string>(&value.data)) return finish(fromText(to, target, *text, good));
     if (const auto* wide = std::get_if<std::u16string>(&value.data))
         return finish(fromWideText(to, target, *wide, good));

@@ -17,7 +17,7 @@ using TypeId = Id<struct TypeTag>;
 enum class TypeKind : uint8_t {
 #define PLC_ELEMENTARY(Name, Spelling, Bytes, Family) Name,
 #include "runtime/types/elementary.def"
-    String,    // capacity + 1 bytes, Latin-1, zero-terminated
+    String,    // capacity + 1 bytes, zero-terminated; what they are says the table
     Wstring,   // capacity + 1 UTF-16 words, zero-terminated
     Enum,      // stored as `element` (INT unless a base type is named)
     Subrange,  // stored as `element`, values low..high

@@ -1,6 +1,7 @@
 // All types of one program, by id. Elementary types have fixed ids (their TypeKind); arrays, strings, pointers are
 // shared by structure. Owned by the compiled program; built by one thread, then read by any.
 #pragma once
+#include "runtime/types/string_code.h"
 #include "runtime/types/type.h"
 
 #include <deque>
@@ -49,6 +50,8 @@ public:
     /// "MIN..MAX" of an integer kind.
     [[nodiscard]] static std::pair<int64_t, uint64_t> integerRange(TypeKind kind);
 
+    /// What the bytes of a STRING are; set before others read the table.
+    StringCode strings = StringCode::Latin1;
     /// How a pointer, reference or interface that is not null is shown: the path of what it points to, "" when it has
     /// none. Set once, when the program stands, before others read the table.
     std::function<std::string(TypeId type, int64_t offset)> referenceText;

@@ -12,7 +12,7 @@ namespace plc::types {
 struct Value {
     TypeId type; // none: no value
     /// Integers, BOOL, enums, durations and dates: int64 (the bit pattern for ULINT/LWORD); REAL/LREAL: double (a REAL
-    /// holds a value exact in single precision); STRING: Latin-1 bytes; WSTRING: UTF-16; aggregates: elements or fields
+    /// holds a value exact in single precision); STRING: its bytes; WSTRING: UTF-16; aggregates: elements or fields
     /// in order; references, pointers: int64 image offset.
     std::variant<std::monostate, int64_t, double, std::string, std::u16string, std::vector<Value>> data;
 

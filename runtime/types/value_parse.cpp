@@ -135,7 +135,7 @@ private:
             if (m_at + digits <= m_text.size() &&
                 std::from_chars(m_text.data() + m_at, m_text.data() + m_at + digits, code, 16).ptr ==
                     m_text.data() + m_at + digits) {
-                out += code;
+                out += digits == 2 ? kRawByte + code : code;
                 m_at += digits;
                 continue;
             }
@@ -152,23 +152,24 @@ private:
         const auto text = takeQuoted(quote);
         if (!text) return std::nullopt;
         const Type& t = m_types[type];
-        std::string utf8;
-        for (const char32_t c : *text) appendUtf8(utf8, c);
         if (t.kind == TypeKind::Wstring || t.kind == TypeKind::Wchar) {
+            std::string utf8;
+            for (const char32_t c : *text) appendUtf8(utf8, c >= kRawByte ? c - kRawByte : c);
             std::u16string wide = utf8ToUtf16(utf8);
             if (t.kind == TypeKind::Wchar)
                 return wide.size() == 1 ? std::optional(Value{type, static_cast<int64_t>(wide[0])}) : std::nullopt;
             if (wide.size() > t.capacity) return std::nullopt;
             return Value{type, std::move(wide)};
         }
-        auto narrow = utf8ToLatin1(utf8);
-        if (!narrow) return std::nullopt;
+        std::string narrow;
+        for (const char32_t c : *text)
+            if (!appendCharacter(m_types.strings, narrow, c)) return std::nullopt;
         if (t.kind == TypeKind::Char)
-            return narrow->size() == 1
-                       ? std::optional(Value{type, static_cast<int64_t>(static_cast<unsigned char>((*narrow)[0]))})
+            return narrow.size() == 1
+                       ? std::optional(Value{type, static_cast<int64_t>(static_cast<unsigned char>(narrow[0]))})
                        : std::nullopt;
-        if (narrow->size() > t.capacity) return std::nullopt;
-        return Value{type, std::move(*narrow)};
+        if (narrow.size() > t.capacity) return std::nullopt;
+        return Value{type, std::move(narrow)};
     }
 
     static std::string withoutUnderscores(std::string_view word) {

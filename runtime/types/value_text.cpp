@@ -57,9 +57,10 @@ std::string quoted(const std::u32string& text, char quote) {
             out += "$T";
         } else if (c == '\f') {
             out += "$P";
-        } else if (c < 0x20 || c == 0x7F) {
+        } else if (c < 0x20 || c == 0x7F || c >= kRawByte) {
             char buffer[8];
-            std::snprintf(buffer, sizeof buffer, quote == '"' ? "$%04X" : "$%02X", static_cast<unsigned>(c));
+            std::snprintf(buffer, sizeof buffer, quote == '"' ? "$%04X" : "$%02X",
+                          static_cast<unsigned>(c >= kRawByte ? c - kRawByte : c));
             out += buffer;
         } else {
             appendUtf8(out, c);
@@ -91,10 +92,18 @@ std::string jsonString(std::string_view utf8) {
     return out + '"';
 }
 
-std::string characterUtf8(TypeKind kind, int64_t code) {
+/// CHAR, WCHAR.
+std::u32string characterText(const TypeTable& types, TypeKind kind, int64_t code) {
     if (code == 0) return {};
     const auto unit = static_cast<char16_t>(code);
-    return kind == TypeKind::Char ? latin1ToUtf8(std::string(1, static_cast<char>(code))) : utf16ToUtf8({&unit, 1});
+    if (kind == TypeKind::Wchar) return decoded(utf16ToUtf8({&unit, 1}));
+    const auto byte = static_cast<char>(code);
+    return charactersOf(types.strings, {&byte, 1});
+}
+std::string utf8Of(const std::u32string& text) {
+    std::string out;
+    for (const char32_t c : text) appendUtf8(out, c >= kRawByte ? c - kRawByte : c);
+    return out;
 }
 
 /// Text of a scalar that both forms show alike (times, dates, enumerators): empty when it is none of them.
@@ -138,7 +147,7 @@ std::string scalarText(const TypeTable& types, TypeId type, int64_t value, Numbe
     if (kind == TypeKind::Bool) return value ? "TRUE" : "FALSE";
     if (isReferenceLike(kind)) return value ? offsetText(types, type, value) : "NULL";
     if (kind == TypeKind::Char || kind == TypeKind::Wchar)
-        return quoted(decoded(characterUtf8(kind, value)), kind == TypeKind::Char ? '\'' : '"');
+        return quoted(characterText(types, kind, value), kind == TypeKind::Char ? '\'' : '"');
     std::string text = namedText(types, type, value);
     return text.empty() ? integerText(kind, value, format) : text;
 }
@@ -147,7 +156,7 @@ std::string scalarJson(const TypeTable& types, TypeId type, int64_t value) {
     const TypeKind kind = types.storageKind(type);
     if (kind == TypeKind::Bool) return value ? "true" : "false";
     if (isReferenceLike(kind)) return value ? jsonString(offsetText(types, type, value)) : "null";
-    if (kind == TypeKind::Char || kind == TypeKind::Wchar) return jsonString(characterUtf8(kind, value));
+    if (kind == TypeKind::Char || kind == TypeKind::Wchar) return jsonString(utf8Of(characterText(types, kind, value)));
     const std::string text = namedText(types, type, value);
     if (!text.empty()) return jsonString(text);
     const std::string number = integerText(kind, value, NumberFormat::Decimal);
@@ -175,7 +184,8 @@ std::string arrayJson(const TypeTable& types, const Type& type, const std::vecto
 std::string toText(const TypeTable& types, const Value& value, NumberFormat format) {
     if (const auto* number = std::get_if<int64_t>(&value.data)) return scalarText(types, value.type, *number, format);
     if (const auto* real = std::get_if<double>(&value.data)) return realLiteral(types.storageKind(value.type), *real);
-    if (const auto* text = std::get_if<std::string>(&value.data)) return quoted(decoded(latin1ToUtf8(*text)), '\'');
+    if (const auto* text = std::get_if<std::string>(&value.data))
+        return quoted(charactersOf(types.strings, *text), '\'');
     if (const auto* wide = std::get_if<std::u16string>(&value.data)) return quoted(decoded(utf16ToUtf8(*wide)), '"');
     const auto* parts = std::get_if<std::vector<Value>>(&value.data);
     if (!parts) return "(no value)";
@@ -197,7 +207,7 @@ std::string toJson(const TypeTable& types, const Value& value) {
         const std::string text = realLiteral(types.storageKind(value.type), *real);
         return std::isfinite(*real) ? text : jsonString(text);
     }
-    if (const auto* text = std::get_if<std::string>(&value.data)) return jsonString(latin1ToUtf8(*text));
+    if (const auto* text = std::get_if<std::string>(&value.data)) return jsonString(utf8OfString(types.strings, *text));
     if (const auto* wide = std::get_if<std::u16string>(&value.data)) return jsonString(utf16ToUtf8(*wide));
     const auto* parts = std::get_if<std::vector<Value>>(&value.data);
     if (!parts) return "null";

@@ -4,6 +4,7 @@
 
 #include "hmi/people/password.h"
 #include "hmi/station/operator_station.h"
+#include "hmi/station/plc_convert.h"
 
 #include <QApplication>
 #include <QSignalSpy>
@@ -49,6 +50,29 @@ struct Operated : testing::Test {
             WriteRequest{QStringLiteral("e"), QLatin1String(target), kind, value, Value::ofBool(false)});
     }
 };
+
+TEST(PanelValues, TextsAreThoseOfTheProjectsStrings) {
+    const QString pump = QStringLiteral("\u041D\u0430\u0441\u043E\u0441");
+    for (const auto& [code, bytes] :
+         {std::pair{types::StringCode::Windows1251, std::string("\xCD\xE0\xF1\xEE\xF1")},
+          std::pair{types::StringCode::Utf8, std::string("\u041D\u0430\u0441\u043E\u0441")}}) {
+        types::TypeTable types;
+        types.strings = code;
+        const types::TypeId type = types.string(10);
+        const auto written = toPlc(types, type, Value::ofText(pump));
+        ASSERT_TRUE(written) << written.error().english();
+        EXPECT_EQ(std::get<std::string>(written->data), bytes);
+        EXPECT_EQ(toPanel(types, *written).text(), pump);
+    }
+    types::TypeTable types;
+    types.strings = types::StringCode::Windows1251;
+    const auto refused = toPlc(types, types.string(10), Value::ofText(QStringLiteral("\u03A9")));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().english(),
+              "STRING contains characters of Windows-1251 only; declare the variable as WSTRING");
+    types.strings = types::StringCode::Utf8; // ten bytes
+    EXPECT_FALSE(toPlc(types, types.string(9), Value::ofText(pump)));
+}
 
 TEST_F(Operated, EveryRefusalOfAWriteHasItsReasonInTheOperatorsLanguage) {
     start(false);

@@ -8,8 +8,10 @@
 namespace plc::testing {
 namespace {
 
-Report runOf(const std::string& program, const std::string& test) {
+Report runOf(const std::string& program, const std::string& test,
+             types::StringCode strings = types::StringCode::Latin1) {
     projects::Project project;
+    project.strings = strings;
     project.sources.push_back({"main.st", program});
     project.tests.push_back({"tests.st", test});
     auto report = runTests(project, {});
@@ -34,6 +36,22 @@ TEST(PowerOff, LosesAllButWhatIsRetainedWhileThePlantGoesOn) {
     ASSERT_EQ(report.results.size(), 1u);
     for (const Failure& failure : report.results[0].failures)
         ADD_FAILURE() << failure.line << ": " << failure.message << " " << failure.detail;
+}
+
+TEST(TestStatements, SayTextsInTheEncodingOfTheProjectsStrings) {
+    for (const types::StringCode code : {types::StringCode::Windows1251, types::StringCode::Utf8}) {
+        const Report report =
+            runOf("PROGRAM Main\nVAR\n    s : STRING := '\u041D\u0430\u0441\u043E\u0441';\nEND_VAR\nEND_PROGRAM\n",
+                  "TEST 'said'\nMain.s := '\u0411\u0430\u043A';\nRUN 1 SCANS;\n"
+                  "ASSERT Main.s = '\u041D\u0430\u0441\u043E\u0441', '\u041F\u0443\u0441\u043A';\nEND_TEST\n",
+                  code);
+        ASSERT_EQ(report.results.size(), 1u);
+        ASSERT_EQ(report.results[0].failures.size(), 1u);
+        const Failure& failure = report.results[0].failures[0];
+        EXPECT_NE(failure.message.english().find("\u041F\u0443\u0441\u043A"), std::string::npos)
+            << failure.message.english();
+        EXPECT_NE(failure.detail.english().find("\u0411\u0430\u043A"), std::string::npos) << failure.detail.english();
+    }
 }
 
 TEST(TestStatements, RefuseWhatIsNoTimeOrNumber) {

@@ -38,7 +38,7 @@ std::string Sample::shown() const {
     case Kind::Real:
         return shortestReal(real);
     case Kind::Text:
-        return latin1ToUtf8(text);
+        return text;
     }
     return {};
 }
@@ -73,6 +73,7 @@ Result<Target> resolve(const image::Layout& layout, const std::string& path, Wir
     target.size = target.place.bit >= 0 ? 1 : type.size;
     target.typeName = type.name;
     if (type.kind == TypeKind::String) target.capacity = type.capacity;
+    target.strings = types.strings;
     if (type.kind == TypeKind::Subrange) target.range = {type.low, type.high};
     target.takesRealBits = target.family == Family::Bits && ((wire == WireType::Real && target.size == 4) ||
                                                              (wire == WireType::Lreal && target.size == 8));
@@ -200,10 +201,11 @@ bool storeInteger(const Sample& sample, const Target& target, std::span<std::byt
     return true;
 }
 
-bool storeText(const std::string& text, const Target& target, std::span<std::byte> into) {
-    if (text.size() > target.capacity || text.find('\0') != std::string::npos) return false;
+bool storeText(const std::string& utf8, const Target& target, std::span<std::byte> into) {
+    const auto text = types::stringOfUtf8(target.strings, utf8);
+    if (!text || text->size() > target.capacity || text->find('\0') != std::string::npos) return false;
     std::memset(into.data(), 0, target.size);
-    std::memcpy(into.data(), text.data(), text.size());
+    std::memcpy(into.data(), text->data(), text->size());
     return true;
 }
 
@@ -246,7 +248,7 @@ Sample decode(const Target& target, std::span<const std::byte> image) {
     const std::span<const std::byte> at = image.subspan(target.place.offset);
     if (target.kind == TypeKind::String) {
         const auto* text = reinterpret_cast<const char*>(at.data());
-        return Sample::ofText(std::string(text, ::strnlen(text, target.capacity)));
+        return Sample::ofText(types::utf8OfString(target.strings, {text, ::strnlen(text, target.capacity)}));
     }
     if (target.place.bit >= 0)
         return Sample::of(static_cast<int64_t>((std::to_integer<unsigned>(at[0]) >> target.place.bit) & 1));

@@ -10,7 +10,7 @@
 namespace plc::devices {
 
 struct Sample {
-    enum class Kind : uint8_t { None, Integer, Unsigned /* the bit pattern in `integer` */, Real, Text /* Latin-1 */ };
+    enum class Kind : uint8_t { None, Integer, Unsigned /* the bit pattern in `integer` */, Real, Text /* UTF-8 */ };
     Kind kind = Kind::None;
     int64_t integer = 0;
     double real = 0;
@@ -21,7 +21,7 @@ struct Sample {
         return {Kind::Unsigned, static_cast<int64_t>(number), 0, {}};
     }
     [[nodiscard]] static Sample of(double number) { return {Kind::Real, 0, number, {}}; }
-    [[nodiscard]] static Sample ofText(std::string latin1) { return {Kind::Text, 0, 0, std::move(latin1)}; }
+    [[nodiscard]] static Sample ofText(std::string utf8) { return {Kind::Text, 0, 0, std::move(utf8)}; }
     [[nodiscard]] bool isNumber() const { return kind != Kind::None && kind != Kind::Text; }
     [[nodiscard]] double number() const; // of a number
     /// For people: "12", "0.5", "text"; "" for none.
@@ -36,6 +36,7 @@ struct Target {
     types::Family family{};
     uint32_t size = 0; // bytes; a bit has 1
     uint32_t capacity = 0;
+    types::StringCode strings{};                      // what the bytes of a STRING are
     std::optional<std::pair<int64_t, int64_t>> range; // of a subrange
     bool takesRealBits = false;                       // a bit string of the size of the device's REAL: gets its bits
     std::string typeName;

@@ -182,8 +182,7 @@ const Json* valueAt(const Json& json, std::string_view path) {
 }
 
 Sample textSample(std::string_view utf8) {
-    auto latin = utf8ToLatin1(utf8);
-    return latin ? Sample::ofText(std::move(*latin)) : Sample();
+    return firstInvalidUtf8(utf8) ? Sample() : Sample::ofText(std::string(utf8));
 }
 
 Sample fromPlain(const Channel& channel, std::string_view text) {
@@ -233,7 +232,7 @@ Json jsonOf(const Channel& channel, const Sample& sample) {
     case Sample::Kind::Real:
         return std::isfinite(sample.real) ? Json(sample.real) : Json(nullptr);
     case Sample::Kind::Text:
-        return latin1ToUtf8(sample.text);
+        return sample.text;
     }
     return nullptr;
 }

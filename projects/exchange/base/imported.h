@@ -3,6 +3,7 @@
 #pragma once
 #include "projects/exchange/base/report.h"
 #include "runtime/image/address.h"
+#include "runtime/types/string_code.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,7 @@ struct Imported {
     std::set<std::string> coveredNamespaces = {"Tc2_System"};       // of foreign libraries whose names are here, too
     uint32_t memoryForNew = 0;                                      // bytes, for programs that use __NEW
     image::Addressing addressing = image::Addressing::Bytes;        // what %MW1 counts in the tool it comes from
+    types::StringCode strings = types::StringCode::Latin1;          // what its STRING constants need
     nlohmann::ordered_json side = nlohmann::ordered_json::object(); // exchange.json, by unit and id
     Report report;
 };

@@ -21,7 +21,8 @@ constexpr ToolNames kToolNames[] = {
     {"Tc2_Utilities",
      " FB_LocalSystemTime FB_GetTimeZoneInformation FB_SetTimeZoneInformation NT_GetTime NT_SetLocalTime "
      "NT_StartProcess "
-     "NT_Shutdown NT_Reboot NT_AbortShutdown RTC_EX RTC_EX2 DCF77_TIME F_GetSystemTime FILETIME_TO_DT "
+     "NT_Shutdown NT_Reboot NT_AbortShutdown RTC_EX RTC_EX2 DCF77_TIME F_GetSystemTime FILETIME_TO_DT IsFinite "
+     "FILETIME64_TO_SYSTEMTIME "
      "SYSTEMTIME_TO_DT DT_TO_SYSTEMTIME SYSTEMTIME_TO_STRING STRING_TO_SYSTEMTIME FB_FormatString FB_FormatString2 "
      "F_INT F_UINT F_DINT F_UDINT F_LREAL F_REAL F_STRING F_BOOL F_BYTE F_WORD F_DWORD F_SINT F_USINT T_Arg "
      "FB_MemRingBuffer FB_MemRingBufferEx FB_MemStackBuffer FB_StringRingBuffer FB_HashTableCtrl FB_LinkedListCtrl "

@@ -34,6 +34,7 @@ constexpr ToolType kTwinCat[] = {
     {"TIMESTRUCT", "STRUCT wYear, wMonth, wDayOfWeek, wDay, wHour, wMinute, wSecond, wMilliseconds : WORD; END_STRUCT"},
     {"T_FILETIME", "STRUCT dwLowDateTime, dwHighDateTime : DWORD; END_STRUCT"},
     {"T_FILETIME64", "ULINT"},
+    {"T_DCTIME32", "UDINT"},
     {"T_DCTIME64", "ULINT"}};
 
 /// Beremiz has a type HMI_INT beside INT, and so on, for variables that its panels see; HMI_NODE groups them.
@@ -50,6 +51,8 @@ struct ToolBlock {
     std::string_view name, needs, text;
 };
 
+constexpr std::string_view kAdsLogMessageTypes = "AdsLogMessageTypes";
+
 /// Functions of TwinCAT's and CODESYS's libraries that need nothing but the language.
 /// TwinCAT's messages to its log become lines of a list that watches, recordings and tests see.
 constexpr ToolBlock kFunctions[] = {
@@ -64,13 +67,9 @@ constexpr ToolBlock kFunctions[] = {
      "FUNCTION ADSLOGLREAL : DINT\nVAR_INPUT\n    msgCtrlMask : DWORD;\n    msgFmtStr : STRING(255);\n"
      "    lrealArg : LREAL;\nEND_VAR\nADSLOGLREAL := AdsLogAdd(msgFmtStr, '%f', LREAL_TO_STRING(lrealArg));\n"
      "END_FUNCTION\n"},
-    {"AdsLogAdd", "",
+    {"AdsLogAdd", "AdsLogMessageTypes",
      "{gvl AdsLog}\nVAR_GLOBAL\n    adsLogLines : ARRAY[1..50] OF STRING(255); // the newest first\n"
-     "    adsLogCount : UDINT; // since the start\nEND_VAR\nVAR_GLOBAL CONSTANT\n    ADSLOG_MSGTYPE_HINT : DWORD := "
-     "16#01;\n"
-     "    ADSLOG_MSGTYPE_WARN : DWORD := 16#02;\n    ADSLOG_MSGTYPE_ERROR : DWORD := 16#04;\n"
-     "    ADSLOG_MSGTYPE_LOG : DWORD := 16#10;\n    ADSLOG_MSGTYPE_MSGBOX : DWORD := 16#20;\n"
-     "    ADSLOG_MSGTYPE_RESOURCE : DWORD := 16#40;\n    ADSLOG_MSGTYPE_STRING : DWORD := 16#80;\nEND_VAR\n\n"
+     "    adsLogCount : UDINT; // since the start\nEND_VAR\n\n"
      "/// Puts a line at the head of the log, with a value in the place of its mark.\n"
      "FUNCTION AdsLogAdd : DINT\nVAR_INPUT\n    text : STRING(255);\n    mark : STRING(2);\n    value : STRING(255);\n"
      "END_VAR\nVAR\n    i, place : INT;\nEND_VAR\nFOR i := 50 TO 2 BY -1 DO\n    AdsLog.adsLogLines[i] := "
@@ -80,6 +79,11 @@ constexpr ToolBlock kFunctions[] = {
      "place);\n"
      "ELSE\n    AdsLog.adsLogLines[1] := text;\nEND_IF\nAdsLog.adsLogCount := AdsLog.adsLogCount + 1;\nAdsLogAdd := "
      "0;\nEND_FUNCTION\n"},
+    {kAdsLogMessageTypes, "",
+     "{gvl AdsLogMessageTypes}\nVAR_GLOBAL CONSTANT\n    ADSLOG_MSGTYPE_HINT : DWORD := 16#01;\n"
+     "    ADSLOG_MSGTYPE_WARN : DWORD := 16#02;\n    ADSLOG_MSGTYPE_ERROR : DWORD := 16#04;\n"
+     "    ADSLOG_MSGTYPE_LOG : DWORD := 16#10;\n    ADSLOG_MSGTYPE_MSGBOX : DWORD := 16#20;\n"
+     "    ADSLOG_MSGTYPE_RESOURCE : DWORD := 16#40;\n    ADSLOG_MSGTYPE_STRING : DWORD := 16#80;\nEND_VAR\n"},
     {"F_GetSystemTime", "",
      "/// 100 ns since 1601-01-01, from the calendar of the controller.\nFUNCTION F_GetSystemTime : ULINT\n"
      "F_GetSystemTime := 116444736000000000 + TO_ULINT(DT_TO_LINT(NOW())) * 10000000;\nEND_FUNCTION\n"},
@@ -207,10 +211,11 @@ struct NamesInUse {
     std::map<std::string, std::string> called; // in front of a parenthesis
     std::set<std::string> declared;            // in front of `:`, and units
     std::set<std::string> units;               // without the variables: what can be a type
+    bool hasMessageTypes = false;              // ADSLOG_MSGTYPE_HINT and so on, also where nothing writes to the log
 };
 
 void gather(std::string_view text, NamesInUse& names) {
-    auto& [used, called, declared, units] = names;
+    auto& [used, called, declared, units, hasMessageTypes] = names;
     diagnostics::Sink sink;
     const lex::TokenList list = lex::tokenize(FileId(0), text, sink);
     bool isInVariables = false;
@@ -235,6 +240,8 @@ void gather(std::string_view text, NamesInUse& names) {
                  (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon)) {
             declared.insert(foldCase(name));
             if (!isInVariables) units.insert(foldCase(name));
+        } else if (foldCase(name).starts_with("adslog_msgtype_")) {
+            hasMessageTypes = true;
         }
     }
 }
@@ -306,10 +313,15 @@ void addToolTypes(Imported& imported) {
     NamesInUse names;
     for (const ImportedFile& file : imported.files) gather(file.text, names);
     if (isTwinCat) addClockBlocks(imported, names);
-    const auto& [used, called, declared, units] = names;
+    const auto& [used, called, declared, units, hasMessageTypes] = names;
     if (tool == "codesys 2.3") useLibrary(imported, "util", names);
     if (isBeremiz) useLibrary(imported, "analog", names); // the blocks of Annex F
-    if (!isBeremiz) addFunctions(imported, called, declared);
+    if (!isBeremiz) {
+        std::map<std::string, std::string> functions = called;
+        if (isTwinCat && hasMessageTypes && !declared.count("adslog_msgtype_hint"))
+            functions.emplace(foldCase(kAdsLogMessageTypes), kAdsLogMessageTypes);
+        addFunctions(imported, std::move(functions), declared);
+    }
     if (isBeremiz) {
         std::set<std::string> types;
         for (const auto& [folded, name] : used) types.insert(folded);

@@ -336,7 +336,13 @@ struct Diagram::State : DiagramGraph {
         if (isOneOf(type, {"MOVE"}) && operands.size() == 1) return operands.front();
         if (isOneOf(type, {"NOT"}) && operands.size() == 1) return operands.front().negated();
         if ((isOneOf(type, {"AND", "OR"})) && operands.size() == 1) return operands.front();
-        return {type + "(" + argumentsOf(block, isProjectFunction(type) || !isComplete) + ")", Flow::kPrimary};
+        std::string function = type;
+        if (const Operator* op = operatorOf(type); op && !isProjectFunction(type)) {
+            if (operands.size() < 2) report.add(place(block), remarks::DiagramInputMissing(type));
+            function = functionOf(*op); // = is no name that could be called
+            isComplete = true;          // nor have its operands names
+        }
+        return {function + "(" + argumentsOf(block, isProjectFunction(function) || !isComplete) + ")", Flow::kPrimary};
     }
 
     Flow functionOutput(pugi::xml_node block, const std::string& pinName) {

@@ -57,6 +57,12 @@ const Operator* operatorOf(std::string_view function) {
     return nullptr;
 }
 
+std::string functionOf(const Operator& op) {
+    for (const Operator& each : kOperators) // the names come first
+        if (each.word == op.word) return std::string(each.function);
+    return std::string(op.function);
+}
+
 bool isComparison(const Operator& op) { return op.level == Flow::kEqual || op.level == Flow::kLess; }
 
 std::string DiagramTypes::atPoint(pugi::xml_node point, int depth) const {

@@ -14,6 +14,7 @@ struct Operator {
 };
 /// Null: a call.
 [[nodiscard]] const Operator* operatorOf(std::string_view function);
+[[nodiscard]] std::string functionOf(const Operator& op); // "EQ" of =
 [[nodiscard]] bool isComparison(const Operator& op);
 
 class DiagramTypes {

@@ -187,10 +187,7 @@ private:
         place(convergence, m_x, m_y + 50);
         for (const syntax::Name& step : transition.from)
             if (const int source = outOf(step); source >= 0) connect(convergence, source, "sfc");
-        if (m_writer.isPlain())
-            convergence.append_child("connectionPointOut"); // the schema of 0201 has no name here
-        else
-            out(convergence);
+        convergence.append_child("connectionPointOut"); // without a name in either schema
         return id;
     }
 

@@ -4,12 +4,14 @@
 #include "projects/exchange/base/imported.h"
 #include "projects/exchange/base/xml.h"
 #include "projects/exchange/plcopen/chart_export.h"
+#include "projects/exchange/plcopen/namespace_export.h"
 #include "projects/exchange/plcopen/plcopen_export_parts.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
+#include "runtime/types/string_code.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -73,7 +75,7 @@ private:
     };
 
     Result<void> parse() {
-        for (const driver::SourceFile& source : m_project.sources) {
+        for (const driver::SourceFile& source : withoutNamespaces(m_project.sources, m_out.report)) {
             const bool isCounted = m_project.addressing == image::Addressing::Words;
             const FileId id = m_sources.add(
                 source.path, isCounted ? source.text : addressesInWords(source.text, source.path, m_out.report));
@@ -154,8 +156,7 @@ private:
                 writeConfiguration(m_configurations, *decl->configuration, writerOf(file));
                 break;
             case DeclKind::Namespace:
-                m_out.report.add(file.path, remarks::NamespaceNotExported());
-                break;
+                break; // withoutNamespaces has said why
             case DeclKind::Using:
                 m_out.report.add(file.path, remarks::UsingNotExported());
                 break;
@@ -416,10 +417,18 @@ private:
 
     // ------------------------------------------------------------ the project
 
+    /// A STRING has other bytes than its tool would choose: our own import reads it.
+    void writeStringEncoding() {
+        if (m_project.strings == types::StringCode::Latin1) return;
+        pugi::xml_node node = XmlWriter::data(m_root, kStringEncodingData, "discard").append_child("StringEncoding");
+        node.text().set(std::string(types::nameOf(m_project.strings)).c_str());
+    }
+
     void writeProjectData() {
         if (!m_project.panels.empty()) m_out.report.add("hmi", remarks::PanelsNotExported());
         if (!m_project.traces.empty()) m_out.report.add("traces", remarks::TracesNotExported());
         if (!m_project.tests.empty()) m_out.report.add("tests", remarks::TestsNotExported());
+        writeStringEncoding();
         if (isPlain()) {
             for (const std::string& library : m_project.libraries)
                 m_out.report.add("project.json", remarks::LibraryNotInEdition(library));

@@ -7,6 +7,9 @@
 
 namespace plc::exchange {
 
+/// The element at the end of a project that says what a STRING is.
+inline constexpr const char* kStringEncodingData = "stepwise/stringencoding";
+
 struct ExportOptions {
     Edition edition = Edition::Codesys0200;
     std::string time = "2000-01-01T00:00:00"; // of creation, as the header says it

@@ -4,10 +4,12 @@
 #include "projects/exchange/base/libraries.h"
 #include "projects/exchange/graphs/chart_import.h"
 #include "projects/exchange/plcopen/plcopen_configuration.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/exchange/plcopen/plcopen_interface.h"
 #include "projects/exchange/plcopen/plcopen_types.h"
 #include "projects/exchange/plcopen/standard_xml.h"
 #include "runtime/base/text.h"
+#include "runtime/types/string_code.h"
 
 #include <algorithm>
 
@@ -166,6 +168,10 @@ private:
                 readLibraries(data);
             } else if (name == "Device" || name.ends_with("/device") || name.ends_with("/deviceconfiguration")) {
                 m_out.report.add(place(data), remarks::DevicesNotRead());
+            } else if (name == kStringEncodingData) {
+                if (const auto code =
+                        types::stringCodeNamed(trimmed(exchange::textOf(childOf(data, "StringEncoding")))))
+                    m_out.strings = *code;
             } else if (!isUnderstood(name)) {
                 keepData(unit, name, data);
             } else if (unit.empty()) {

@@ -56,7 +56,7 @@ llvm::Value* FunctionEmitter::realToInteger(Value* whole, types::TypeId to) {
                              {m.scalarType(to), whole->getType()}, {whole});
 }
 
-llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::TypeId to, Value**) {
+llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::TypeId to, Value** ok) {
     const TypeKind source = m.types().storageKind(from), target = m.types().storageKind(to);
     llvm::Type* wanted = m.scalarType(to);
     // By storage: a subrange or an enumeration is converted as its base.
@@ -92,7 +92,25 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
         return fitTime(unit == 1 ? count : b.CreateMul(count, int64(unit)), target);
     }
     if (target == TypeKind::Bool) return b.CreateICmpNE(value, llvm::Constant::getNullValue(value->getType()));
+    if (fromFamily == Family::Character && toFamily == Family::Character &&
+        m.types().strings != types::StringCode::Latin1)
+        return convertCharacter(value, target, ok);
     return castInteger(value, from, wanted);
+}
+
+/// CHAR ⇄ WCHAR where the numbers of a character differ: STRING is not Latin-1.
+llvm::Value* FunctionEmitter::convertCharacter(Value* value, TypeKind to, Value** ok) {
+    Value* code = int32(static_cast<uint32_t>(m.types().strings));
+    const auto call = [&](const char* helper) {
+        return b.CreateCall(m.helper(helper, m.i32, {m.i32, m.i32}, ModuleEmitter::Effects::None),
+                            {b.CreateZExtOrTrunc(value, m.i32), code});
+    };
+    if (to == TypeKind::Wchar)
+        return b.CreateTrunc(call("plc_char_to_wide_by"), m.scalarType(types::TypeTable::of(to)));
+    Value* made = call("plc_wchar_to_narrow_by");
+    Value* isKnown = b.CreateICmpSGE(made, int32(0));
+    if (ok) *ok = isKnown;
+    return b.CreateTrunc(b.CreateSelect(isKnown, made, int32('?')), m.scalarType(types::TypeTable::of(to)));
 }
 
 // A conversion as it is in the tree, with ENO where the call had one.
@@ -107,8 +125,9 @@ llvm::Value* FunctionEmitter::convertExpr(const Expr& expr) {
     if (expr.a->kind == tree::ExprKind::Load && m.scalarType(expr.type) == m.i64 &&
         types::isInteger(m.types().family(expr.type)))
         if (const Counter* counter = counterOf(*expr.a->place)) return b.CreateLoad(m.i64, counter->value);
-    Value* result = convert(scalar(*expr.a), expr.a->type, expr.type);
-    storeOk(expr, b.getTrue());
+    Value* ok = b.getTrue();
+    Value* result = convert(scalar(*expr.a), expr.a->type, expr.type, &ok);
+    storeOk(expr, ok);
     return result;
 }
 
@@ -118,11 +137,30 @@ llvm::Value* FunctionEmitter::okSlot() {
     return m_ok;
 }
 
+/// WSTRING_TO_CHAR where STRING is not Latin-1: as a STRING of one byte, which is 0 when there is nothing to convert.
+llvm::Value* FunctionEmitter::firstNarrowed(const Text& wide) {
+    Address a;
+    a.base = m_framePointer;
+    a.constant = allocateTemporary(2, 1); // one character and its end mark
+    const Text made{pointer(a), int32(1), false};
+    assignText(made, wide);
+    Value* first = b.CreateLoad(m.i8, made.pointer);
+    Value* isWhole = b.CreateICmpNE(b.CreateLoad(m.i8, okSlot()), b.getInt8(0));
+    b.CreateStore(b.CreateZExt(b.CreateAnd(isWhole, b.CreateICmpNE(first, b.getInt8(0))), m.i8), okSlot());
+    return first;
+}
+
 /// STRING_TO_X; `expr` is the text.
 llvm::Value* FunctionEmitter::convertText(const Expr& expr, types::TypeId to) {
-    const Text from = text(expr);
+    Text from = text(expr);
+    const TypeKind target = m.types().storageKind(to);
+    // The first character has another number in the other width.
+    if (m.types().strings != types::StringCode::Latin1) {
+        if (target == TypeKind::Wchar && !from.isWide) from = widened(from, 1);
+        if (target == TypeKind::Char && from.isWide) return firstNarrowed(from);
+    }
     Value* ok = okSlot();
-    Value* kind = int32(static_cast<uint32_t>(m.types().storageKind(to)));
+    Value* kind = int32(static_cast<uint32_t>(target));
     const std::string prefix = from.isWide ? "plc_wtext_" : "plc_text_";
     if (m.types().family(to) == Family::Real) {
         Value* real = b.CreateCall(m.helper((prefix + "to_real").c_str(), m.f64, {m.ptr, m.i32, m.i32, m.ptr},

@@ -252,6 +252,8 @@ private:
 
     // conversions.cpp
     Value* convert(Value* value, types::TypeId from, types::TypeId to, Value** ok = nullptr);
+    Value* convertCharacter(Value* value, types::TypeKind to, Value** ok);
+    Value* firstNarrowed(const Text& wide);
     Value* convertExpr(const tree::Expr& expr);
     Value* integerToReal(Value* value, types::TypeId from, llvm::Type* to);
     Value* fitTime(Value* nanoseconds, types::TypeKind to);
@@ -302,6 +304,7 @@ private:
     [[nodiscard]] bool mayOverlap(const tree::Expr& expr, const tree::Place& target) const;
     Value* textCompare(library::BinaryOp op, const Text& a, const Text& c);
     Value* textIntrinsicScalar(const tree::Expr& expr);
+    bool addStringCode(std::vector<Value*>& arguments);
     void assignText(const Text& to, const Text& from);
 
     // calls.cpp

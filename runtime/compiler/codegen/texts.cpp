@@ -46,6 +46,14 @@ void FunctionEmitter::chargeTexts(llvm::ArrayRef<Value*> arguments) {
     chargeUnits(units);
 }
 
+/// False: not Latin-1, and the last argument says what it is.
+bool FunctionEmitter::addStringCode(std::vector<Value*>& arguments) {
+    const types::StringCode code = m.types().strings;
+    if (code == types::StringCode::Latin1) return true;
+    arguments.push_back(int32(static_cast<uint32_t>(code)));
+    return false;
+}
+
 void FunctionEmitter::assignText(const Text& to, const Text& from) {
     if (to.isWide == from.isWide) {
         // Cuts at the target's capacity and keeps its end mark; source and target may be the same.
@@ -53,18 +61,21 @@ void FunctionEmitter::assignText(const Text& to, const Text& from) {
         watchTextWrite(to);
         return;
     }
-    const std::vector<llvm::Type*> parameters{m.ptr, m.i32, m.ptr, m.i32};
-    const std::vector<Value*> arguments{to.pointer, to.capacity, from.pointer, from.capacity};
+    std::vector<llvm::Type*> parameters{m.ptr, m.i32, m.ptr, m.i32};
+    std::vector<Value*> arguments{to.pointer, to.capacity, from.pointer, from.capacity};
     chargeTexts(arguments);
+    const bool isLatin1 = addStringCode(arguments);
+    if (!isLatin1) parameters.push_back(m.i32);
     if (to.isWide)
-        b.CreateCall(m.helper("plc_text_to_wide", m.voidType, parameters, ModuleEmitter::Effects::WritesArguments),
+        b.CreateCall(m.helper(isLatin1 ? "plc_text_to_wide" : "plc_text_to_wide_by", m.voidType, parameters,
+                              ModuleEmitter::Effects::WritesArguments),
                      arguments);
     else
-        b.CreateStore(
-            b.CreateCall(m.helper("plc_wtext_to_narrow", m.i8, parameters, ModuleEmitter::Effects::WritesArguments),
-                         arguments),
-            // Characters above 255 become '?' and ENO of a conversion hears of it.
-            okSlot());
+        b.CreateStore(b.CreateCall(m.helper(isLatin1 ? "plc_wtext_to_narrow" : "plc_wtext_to_narrow_by", m.i8,
+                                            parameters, ModuleEmitter::Effects::WritesArguments),
+                                   arguments),
+                      // Characters that STRING does not have become '?' and ENO of a conversion hears of it.
+                      okSlot());
     watchTextWrite(to);
 }
 
@@ -424,10 +435,12 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
     case Intrinsic::ToLower:
     case Intrinsic::Trim: {
         const Text t = textOperands(expr)[0];
-        made(expr.intrinsic == Intrinsic::ToUpper   ? "upper"
-             : expr.intrinsic == Intrinsic::ToLower ? "lower"
+        std::vector<Value*> arguments{t.pointer, t.capacity};
+        const bool isPlain = t.isWide || expr.intrinsic == Intrinsic::Trim || addStringCode(arguments);
+        made(expr.intrinsic == Intrinsic::ToUpper   ? (isPlain ? "upper" : "upper_by")
+             : expr.intrinsic == Intrinsic::ToLower ? (isPlain ? "lower" : "lower_by")
                                                     : "trim",
-             t.isWide, {t.pointer, t.capacity}, false);
+             t.isWide, arguments, false);
         break;
     }
     case Intrinsic::CharOf: {

@@ -55,6 +55,7 @@ uint64_t versionOf(const BuildInput& input) {
     for (const std::string& define : input.defines) hash = mix(hash, define);
     if (input.addressing == image::Addressing::Words) hash = mix(hash, "%word");
     if (input.memoryForNew) hash = mix(hash, "%new" + std::to_string(input.memoryForNew));
+    if (input.strings != types::StringCode::Latin1) hash = mix(mix(hash, "%strings"), nameOf(input.strings));
     for (const auto& [name, text] : input.libraryTexts) hash = mix(mix(hash, name), text);
     return hash;
 }
@@ -84,6 +85,7 @@ std::vector<std::string> recordedSettings(const BuildInput& input) {
     for (const std::string& define : input.defines) out.push_back("#" + define);
     if (input.addressing == image::Addressing::Words) out.push_back("%word");
     if (input.memoryForNew) out.push_back("%new" + std::to_string(input.memoryForNew));
+    if (input.strings != types::StringCode::Latin1) out.push_back("%strings=" + std::string(nameOf(input.strings)));
     return out;
 }
 
@@ -93,6 +95,8 @@ void setRecordedSettings(BuildInput& input, const std::vector<std::string>& sett
             input.defines.push_back(each.substr(1));
         else if (each.starts_with("%new"))
             input.memoryForNew = static_cast<uint32_t>(std::strtoul(each.c_str() + 4, nullptr, 10));
+        else if (each.starts_with("%strings="))
+            input.strings = types::stringCodeNamed(each.substr(9)).value_or(types::StringCode::Latin1);
         else if (each == "%word")
             input.addressing = image::Addressing::Words;
         else
@@ -131,6 +135,7 @@ std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, se
     options.strict = input.strict;
     options.addressing = input.addressing;
     options.memoryForNew = input.memoryForNew;
+    options.strings = input.strings;
     for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
     checked.analysis =
         sema::analyze(*read->sources, std::move(read->trees), std::move(read->diagnostics), options, bodies);

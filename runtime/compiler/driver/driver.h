@@ -26,6 +26,7 @@ struct BuildInput {
     std::vector<std::string> defines{};    // NAME or NAME=VALUE, for conditional pragmas
     image::Addressing addressing = image::Addressing::Bytes; // what the number of %MW1 counts
     uint32_t memoryForNew = 0;                               // bytes that __NEW may take; 0: there is no __NEW
+    types::StringCode strings = types::StringCode::Latin1;   // what the bytes of a STRING are
     bool keepsEveryResult = true;                            // of each line of an instruction list, for online values
     bool threadSanitizer = false; // instruments the generated code (tests of the thread contract)
     /// "toolbox/valves.st" and its text, of every library that is used: in the place of this studio's own (D19).
@@ -33,7 +34,7 @@ struct BuildInput {
 };
 
 /// Libraries, defines and what else decides the layout in one list, as recordings keep them: "util", "#Simulation",
-/// "%word".
+/// "%word", "%strings=UTF-8".
 [[nodiscard]] std::vector<std::string> recordedSettings(const BuildInput& input);
 void setRecordedSettings(BuildInput& input, const std::vector<std::string>& settings);
 

@@ -70,7 +70,8 @@ struct Options {
     std::unordered_set<std::string> usedElsewhere; // folded names that panels, traces, tests use; ".name": behind a dot
     image::Addressing addressing = image::Addressing::Bytes;
     uint32_t memoryForNew = 0; // bytes for __NEW; 0: there is none
-    bool wantProgram = true;   // false: check only (no bodies of the tree are kept)
+    types::StringCode strings = types::StringCode::Latin1;
+    bool wantProgram = true; // false: check only (no bodies of the tree are kept)
 };
 
 /// Checks everything together. Library files carry their namespace in SyntaxFile::library.

@@ -109,7 +109,8 @@ TEST(Wire, MessagesAreReadPlainAndInJson) {
                 {"", "", ""},
                 {"", "nan", ""},
                 {"", "caf\xC3\xA9", "caf\xC3\xA9", WireType::Text},
-                {"", "\xE4\xB8\xAD", "", WireType::Text}, // no Latin-1
+                {"", "\xE4\xB8\xAD", "\xE4\xB8\xAD", WireType::Text}, // the STRING decides, see below
+                {"", "\xE4", "", WireType::Text},                     // no UTF-8
                 {"/a/b", R"({"a": {"b": 3}})", "3"},
                 {"/a/1", R"({"a": [5, 6.5]})", "6.5"},
                 {"/a/2", R"({"a": [5, 6]})", ""},
@@ -137,4 +138,28 @@ TEST(Wire, ChannelsOfOneTopicGoIntoOneMessage) {
     EXPECT_EQ(toMessage(channels, samples), R"({"pump":{"speed":1.5,"on":true}})");
     a.jsonPath.clear();
     EXPECT_EQ(toMessage(std::span(channels).first(1), std::span(samples).first(1)), "1.5");
+}
+
+TEST(Wire, TextsBecomeTheBytesOfTheProjectsStrings) {
+    const struct {
+        plc::types::StringCode code;
+        std::string text, bytes; // "": refused
+    } rows[] = {{plc::types::StringCode::Latin1, "caf\xC3\xA9", "caf\xE9"},
+                {plc::types::StringCode::Latin1, "\u0416", ""},
+                {plc::types::StringCode::Windows1251, "\u0416\u0451", "\xC6\xB8"},
+                {plc::types::StringCode::Windows1251, "\u03A9", ""},
+                {plc::types::StringCode::Utf8, "\u0416\u0416", "\xD0\x96\xD0\x96"},
+                {plc::types::StringCode::Utf8, "\u0416\u0416\u0416", ""}}; // six bytes
+    for (const auto& [code, text, bytes] : rows) {
+        Target target;
+        target.kind = plc::types::TypeKind::String;
+        target.capacity = 5;
+        target.size = 6;
+        target.strings = code;
+        std::vector<std::byte> image(target.size);
+        EXPECT_EQ(encode(Sample::ofText(text), target, image), !bytes.empty()) << text;
+        if (bytes.empty()) continue;
+        EXPECT_EQ(std::string(reinterpret_cast<const char*>(image.data())), bytes);
+        EXPECT_EQ(decode(target, image).shown(), text);
+    }
 }

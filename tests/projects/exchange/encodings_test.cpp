@@ -1,6 +1,7 @@
 // Text files and XML in every encoding: recognised, chosen, and written back as they were.
 #include "fixture.h"
 
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
 namespace plc::exchange {
@@ -135,6 +136,66 @@ TEST_F(Encodings, AProjectSaysItsCodePage) {
     const auto wrong = projects::openProject({path("c")});
     ASSERT_FALSE(wrong);
     EXPECT_NE(wrong.error().english().find("The encoding Martian is not known; choose one of Windows-1252"),
+              std::string::npos)
+        << wrong.error().english();
+}
+
+std::string textProgram(const std::string& constant) {
+    return "PROGRAM P\nVAR\n    s : STRING(20) := '" + constant +
+           "';\n    n : INT;\nEND_VAR\nn := LEN(s);\nEND_PROGRAM\n";
+}
+
+TEST_F(Encodings, AnImportChoosesWhatAStringIsByItsConstants) {
+    struct Row {
+        const char *constant, *encoding;
+    };
+    for (const auto& [constant, encoding] :
+         {Row{"\u041D\u0430\u0441\u043E\u0441", "Windows-1251"}, Row{"12 \u20AC", "Windows-1252"},
+          Row{"za\u017C\u00F3\u0142\u0107", "Windows-1250"}, Row{"\u03A9", "Windows-1253"}, Row{"\u6CF5", "UTF-8"},
+          Row{"\u041D \u03A9", "UTF-8"}}) {
+        write("s/p.st", textProgram(constant));
+        const Imported imported = folder("s");
+        EXPECT_EQ(types::nameOf(imported.strings), encoding);
+        EXPECT_EQ(errorsOf(imported), "") << constant;
+        EXPECT_NE(noteOf(imported, NoteKind::StringEncoding).find(std::string("is ") + encoding), std::string::npos);
+        ASSERT_TRUE(writeImported(imported, path("s-out")));
+        const auto project = projects::openProject({path("s-out")});
+        ASSERT_TRUE(project) << project.error().english();
+        EXPECT_EQ(project->strings, imported.strings);
+        std::filesystem::remove_all(path("s-out"));
+    }
+    write("s/p.st", textProgram("M\u00FCller") + "// \u041D\n"); // only a comment has more
+    EXPECT_EQ(folder("s").strings, types::StringCode::Latin1);
+    EXPECT_EQ(noteOf(folder("s"), NoteKind::StringEncoding), "");
+}
+
+TEST_F(Encodings, WhatAStringIsGoesOutAndComesBack) {
+    write("u/project.json", "{\"name\": \"u\", \"stringEncoding\": \"UTF-8\"}");
+    write("u/src/P.st", textProgram("\u041D\u0430\u0441\u043E\u0441"));
+    const auto project = projects::openProject({path("u")});
+    ASSERT_TRUE(project) << project.error().english();
+    EXPECT_EQ(project->strings, types::StringCode::Utf8);
+    for (const Edition edition : {Edition::Codesys0200, Edition::Plain0201}) {
+        const auto out = exportPlcopen(*project, {edition, "2020-01-01T00:00:00"});
+        ASSERT_TRUE(out) << out.error().english();
+        const Imported again = import(out->text);
+        EXPECT_EQ(again.strings, types::StringCode::Utf8); // by the constants it would be Windows-1251
+        EXPECT_EQ(noteOf(again, NoteKind::VendorDataKept), "");
+    }
+
+    write("u/project.json", "{\"name\": \"u\"}");
+    const auto plain = projects::openProject({path("u")});
+    ASSERT_TRUE(plain);
+    const driver::Checked checked = driver::check(plain->buildInput());
+    ASSERT_FALSE(checked.analysis->diagnostics.empty());
+    EXPECT_EQ(checked.analysis->diagnostics.front().message.english(),
+              "The character \u041D is not in STRING (Latin-1); use WSTRING, or \"stringEncoding\": \"UTF-8\" in "
+              "project.json");
+
+    write("u/project.json", "{\"stringEncoding\": \"Martian\"}");
+    const auto wrong = projects::openProject({path("u")});
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().english().find("The encoding Martian is not known; choose one of Latin-1"),
               std::string::npos)
         << wrong.error().english();
 }

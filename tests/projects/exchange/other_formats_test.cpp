@@ -425,6 +425,22 @@ TEST_F(OtherFormats, MessagesToTheLogOfTwinCatAreLinesThatCanBeRead) {
     EXPECT_EQ(textOf(*controller, "second"), "code 12");
 }
 
+TEST_F(OtherFormats, KindsOfMessagesAreKnownAlsoWhereNothingWritesToTheLog) {
+    write("kinds/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n mask : DWORD;\n hint : BOOL;\nEND_VAR\n") +
+                 st("mask := ADSLOG_MSGTYPE_ERROR OR ADSLOG_MSGTYPE_LOG;\n"
+                    "hint := (mask AND ADSLOG_MSGTYPE_HINT) <> 0;") +
+                 "</POU>"));
+    const Imported imported = folder("kinds");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.files.size(), 2u); // no log
+    const auto controller = scanned(imported);
+    ASSERT_TRUE(controller);
+    EXPECT_EQ(controller->read("MAIN.mask")->integer(), 0x14);
+    EXPECT_EQ(controller->read("MAIN.hint")->integer(), 0);
+}
+
 TEST_F(OtherFormats, TextsWithValuesAreFormattedAsTwinCatDoes) {
     write("fmt/MAIN.TcPOU",
           object("<POU Name=\"MAIN\">" +

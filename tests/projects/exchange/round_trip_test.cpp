@@ -136,16 +136,16 @@ TEST_F(RoundTrip, EveryElementIsAFixpointInBothVersions) {
     expectFixpoint(everything("0201"), Edition::Plain0201);
 }
 
-TEST_F(RoundTrip, TheEndOfAnActionHasNoName) { // neither schema has one
+TEST_F(RoundTrip, TheEndsOfActionsAndConvergencesHaveNoName) { // neither schema has one
     const projects::Project project = onDisk(import(everything("0200")), "schema");
-    const auto hasName = [&](Edition edition) {
+    const auto hasName = [&](const std::string& element, Edition edition) {
         const std::string text = exported(project, edition);
-        const size_t begin = text.find("<actionBlock"), end = text.find("</actionBlock>", begin);
-        EXPECT_NE(end, std::string::npos);
+        const size_t begin = text.find("<" + element), end = text.find("</" + element + ">", begin);
+        EXPECT_NE(end, std::string::npos) << element;
         return text.substr(begin, end - begin).find("<connectionPointOut formalParameter=") != std::string::npos;
     };
-    EXPECT_FALSE(hasName(Edition::Plain0201));
-    EXPECT_FALSE(hasName(Edition::Codesys0200));
+    for (const Edition edition : {Edition::Plain0201, Edition::Codesys0200})
+        for (const char* element : {"actionBlock", "simultaneousConvergence"}) EXPECT_FALSE(hasName(element, edition));
 }
 
 TEST_F(RoundTrip, ADiagramGoesOutAsItCameUnlessItsTextChanged) {
@@ -178,12 +178,65 @@ TEST_F(RoundTrip, WhatTheFormatHasNoPlaceForHasItsLine) {
     const auto has = [](const Report& report, const std::string& text) {
         return report.toText().find(text) != std::string::npos;
     };
-    for (const char* text : {"F.M", "EXTENDS or IMPLEMENTS of F", "interfaces; I ", "unions; U ", "a NAMESPACE",
+    for (const char* text : {"F.M", "EXTENDS or IMPLEMENTS of F", "interfaces; I ", "unions; U ", "the names of N",
                              "minTime", "// inside", "transition t1", "// the end", "support tests", "libraries; util"})
         EXPECT_TRUE(has(plain, text)) << text << "\n" << plain.toText();
-    for (const char* text : {"a NAMESPACE", "// inside", "transition t1", "// the end", "support tests"})
+    for (const char* text : {"the names of N", "// inside", "transition t1", "// the end", "support tests"})
         EXPECT_TRUE(has(codesys, text)) << text << "\n" << codesys.toText();
     EXPECT_FALSE(has(codesys, "F.M")) << codesys.toText();
+}
+
+TEST_F(RoundTrip, UnitsOfANamespaceComeOutUnderTheirOwnNames) {
+    write("p/project.json", "{\"name\":\"p\"}");
+    write("p/src/a.st", "// the plant\n"
+                        "NAMESPACE Plant.Units\n"
+                        "    TYPE Litre : REAL; END_TYPE\n"
+                        "    FUNCTION ToGallons : REAL\n    VAR_INPUT\n        l : Litre;\n    END_VAR\n"
+                        "    ToGallons := l / 4.0;\n    END_FUNCTION\n"
+                        "END_NAMESPACE\n"
+                        "NAMESPACE Plant\n"
+                        "    FUNCTION_BLOCK Tank\n    VAR_OUTPUT\n        level : Units.Litre := 8.0;\n    END_VAR\n"
+                        "    END_FUNCTION_BLOCK\n"
+                        "END_NAMESPACE;\n");
+    write("p/src/main.st",
+          "PROGRAM Main\nUSING Plant.Units;\nVAR\n    tank : Plant.Tank; // Plant.Tank\n    r, s : REAL;\n"
+          "END_VAR\ntank();\nr := ToGallons(tank.level);\ns := Plant.Units.ToGallons(tank.level);\n"
+          "END_PROGRAM\n");
+    const auto project = projects::openProject({path("p")});
+    ASSERT_TRUE(project) << project.error().english();
+    for (const Edition edition : {Edition::Codesys0200, Edition::Plain0201}) {
+        Report report;
+        const Imported again = import(exported(*project, edition, &report));
+        EXPECT_EQ(errorsOf(again), "");
+        EXPECT_EQ(report.losses(), 0u) << report.toText();
+        for (const char* each : {"the names of Plant.Units are", "the names of Plant are"})
+            EXPECT_NE(report.toText().find(each), std::string::npos) << report.toText();
+        const std::string main = fileOf(again, "src/Main.st");
+        EXPECT_EQ(main.find("USING"), std::string::npos) << main;
+        EXPECT_NE(main.find("tank : Tank; // Plant.Tank\n"), std::string::npos) << main;
+        EXPECT_NE(main.find("s := ToGallons(tank.level);"), std::string::npos) << main;
+        EXPECT_NE(fileOf(again, "src/Tank.st").find("level : Litre := 8.0;"), std::string::npos);
+    }
+}
+
+TEST_F(RoundTrip, ANamespaceWithANameOfAnotherOneIsLeftOutWithItsLine) {
+    write("p/project.json", "{\"name\":\"p\"}");
+    write("p/src/a.st", "NAMESPACE One\nFUNCTION F : INT\nF := 1;\nEND_FUNCTION\nEND_NAMESPACE\n"
+                        "NAMESPACE Two\nFUNCTION F : INT\nF := 2;\nEND_FUNCTION\nEND_NAMESPACE\n"
+                        "NAMESPACE Three\nFUNCTION G : INT\nG := 3;\nEND_FUNCTION\nEND_NAMESPACE\n"
+                        "NAMESPACE Four\nFUNCTION MAX : INT\nMAX := 4;\nEND_FUNCTION\nEND_NAMESPACE\n"
+                        "PROGRAM P\nVAR n : INT; END_VAR\nn := Three.G();\nEND_PROGRAM\n");
+    const auto project = projects::openProject({path("p")});
+    ASSERT_TRUE(project) << project.error().english();
+    Report report;
+    const std::string xml = exported(*project, Edition::Codesys0200, &report);
+    EXPECT_EQ(report.losses(), 3u) << report.toText();
+    for (const char* each : {"One was left out with its units because there is another F",
+                             "Two was left out with its units because there is another F",
+                             "Four was left out with its units because there is another MAX", "the names of Three are"})
+        EXPECT_NE(report.toText().find(each), std::string::npos) << each << "\n" << report.toText();
+    EXPECT_EQ(xml.find("name=\"F\""), std::string::npos);
+    EXPECT_EQ(errorsOf(import(xml)), "");
 }
 
 TEST_F(RoundTrip, ConstructorsInVersion0201AreInitialValuesOrHaveTheirLine) {

@@ -316,6 +316,17 @@ TEST_F(StoredBodies, AFunctionChartBecomesStatementsInItsOrder) {
     EXPECT_EQ(bodyOf(imported), "t(IN := start, PT := pt);\ny := NOT t.Q;\ns S= t.Q;\nsum := a + b;\n");
 }
 
+TEST_F(StoredBodies, ASignWithoutInputsIsItsFunctionWithALine) {
+    const Imported imported = importCfc("a : INT; y, z : BOOL;\n",
+                                        input(1, 10, "a") + box(2, "Operator", {20, 21}, {22}, {"", "", "", "="}) +
+                                            output(3, 30, "y") + box(4, "Operator", {40, 41}, {42}, {"", "", "", ">"}) +
+                                            output(5, 50, "z") + line(22, 30) + line(10, 40) + line(42, 50));
+    EXPECT_EQ(bodyOf(imported), "y := EQ();\nz := GT(a);\n");
+    EXPECT_NE(imported.report.toText().find("An input of = is not connected"), std::string::npos)
+        << imported.report.toText();
+    EXPECT_NE(imported.report.toText().find("An input of > is not connected"), std::string::npos);
+}
+
 TEST_F(StoredBodies, AFeedbackReadsTheValueOfTheLastCall) {
     // first the sum with the counter's old value, then the counter
     const Imported imported =

@@ -222,6 +222,23 @@ TEST_F(LanguageServer, TakesUpWhatChangesOnDisk) {
     }));
 }
 
+TEST_F(LanguageServer, ChecksWithTheSettingsOfTheProject) {
+    std::ofstream(m_root / "plant/project.json")
+        << R"({"stringEncoding": "Windows-1251", "addressing": "word", "memoryForNew": 1024})";
+    const std::string uri = "file://" + m_root.string() + "/plant/src/settings.st";
+    (void)exchange(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}})");
+    // two words behind each other, no memory for __NEW, no letter of Latin-1: each would be an error or a warning
+    const auto answers = exchange(
+        R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" + uri +
+        R"(","version":1,"text":"PROGRAM Settings\nVAR\n a AT %MW0 : WORD := 1;\n b AT %MW1 : WORD := 2;\n)"
+        R"( s : STRING := '\u041D\u0430';\n p : POINTER TO INT;\nEND_VAR\nIF p = 0 THEN\n p := __NEW(INT);\nEND_IF\n)"
+        R"(IF a = b AND s = '' THEN\n __DELETE(p);\nEND_IF\nEND_PROGRAM\n"}}})");
+    for (const std::string& each : answers)
+        if (each.find("settings.st") != std::string::npos)
+            EXPECT_EQ(each.find("\"severity\":1"), std::string::npos) << each;
+    ASSERT_FALSE(answers.empty());
+}
+
 // ---------------------------------------------------------------- places
 
 TEST(Places, CountUtf16Units) {

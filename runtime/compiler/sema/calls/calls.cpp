@@ -233,6 +233,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
         context.emit(range, findings::NotAssignable(denoted.whyReadOnly));
         return nullptr;
     }
+    if (!isConstant) tellConstantInput(context, denoted, *argument.value);
     tree::Place* place = denoted.place;
     const types::Type &wanted = context.types[type], &given = context.types[place->type];
     if (given.kind == TypeKind::Unknown) return nullptr;

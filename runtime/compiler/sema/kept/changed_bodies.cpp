@@ -165,7 +165,7 @@ size_t checkChangedBodies(WorldBuilder& world, const std::vector<std::shared_ptr
     auto check = std::make_shared<LastCheck>();
     check->files = files;
     check->sources = world.sources.files;
-    check->rules = {world.options.strict, world.options.addressing, world.options.memoryForNew};
+    check->rules = {world.options.strict, world.options.addressing, world.options.memoryForNew, world.options.strings};
     check->declared = summaryOf(world);
     StillValid valid = stillValid(last, world, files);
     // The same text is not enough: a file of a library may have changed what it means.

@@ -28,7 +28,8 @@ StillValid stillValid(const LastCheck* last, const World& world,
     StillValid out;
     auto shapes = std::make_shared<Shapes>(files.size());
     out.changed.resize(files.size());
-    const LastCheck::Rules rules{world.options.strict, world.options.addressing, world.options.memoryForNew};
+    const LastCheck::Rules rules{world.options.strict, world.options.addressing, world.options.memoryForNew,
+                                 world.options.strings};
     out.isAny = last && last->files.size() == files.size() && last->rules == rules;
     for (size_t i = 0; i < files.size(); ++i) {
         const SourceText& text = world.sources[FileId(i)];

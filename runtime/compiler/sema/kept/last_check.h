@@ -32,6 +32,7 @@ struct LastCheck {
         bool isStrict = false;
         image::Addressing addressing = image::Addressing::Bytes;
         uint32_t memoryForNew = 0;
+        types::StringCode strings = types::StringCode::Latin1;
         bool operator==(const Rules&) const = default;
     } rules;
     std::vector<uint64_t> declared;                         // what the declarations came to

@@ -343,7 +343,10 @@ static tree::Place* storedPlace(Context& context, Variable& variable, TypeId typ
 
 /// Constants everywhere; from outside also what a block keeps to itself or gives out.
 static void noteReadOnly(Context& context, Denoted& out, const Variable& variable, TypeId type, bool isOutside) {
-    if (variable.isConstant || (variable.section && variable.section->constant && !isOutside)) {
+    const bool isDeclared = variable.section && variable.section->constant && !isOutside;
+    // TwinCAT lets a block write its own VAR_INPUT CONSTANT; see tellConstantInput.
+    const bool isOwnInput = isDeclared && variable.kind == SectionKind::Input && !context.world.options.strict;
+    if (variable.isConstant || (isDeclared && !isOwnInput)) {
         out.isReadOnly = true;
         out.whyReadOnly = phrases::ConstantVariable(variable.name);
         return;

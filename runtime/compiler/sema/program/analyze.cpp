@@ -183,6 +183,8 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
                                         KeptBodies* kept) {
     auto program = std::make_shared<tree::Program>();
     program->types = std::make_shared<types::TypeTable>();
+    program->types->strings = options.strings;
+    types::prepare(options.strings);
     WorldBuilder world(sources, options, program);
     for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
         const Kind kind = diagnostic.kind;

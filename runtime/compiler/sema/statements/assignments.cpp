@@ -14,11 +14,24 @@
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/expressions.h"
 
+#include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
 
 namespace plc::sema {
 
 using lex::TokenKind;
+
+///   advice: limit := 5;  with VAR_INPUT CONSTANT limit (P2048)
+void tellConstantInput(Context& context, const Denoted& denoted, const syntax::Expr& e) {
+    const Variable* variable = denoted.variable;
+    if (!variable || variable->kind != syntax::SectionKind::Input || !variable->section || !variable->section->constant)
+        return;
+    const syntax::Expr* root = &e;
+    while (root->base && root->kind != syntax::ExprKind::Call) root = root->base;
+    // axis.limit is written from outside, where an input takes its value.
+    if (root->kind == syntax::ExprKind::NameRef && equalsIgnoringCase(root->name.text, variable->name))
+        context.emit(e.range, findings::ConstantInputWritten(variable->name));
+}
 
 /// A place that may be written, with its advice: a program writes an input, a loop its variable.
 static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted denoted) {
@@ -29,6 +42,7 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
                                                  : findings::NotAssignable(context.textOf(e.range)));
         return {};
     }
+    tellConstantInput(context, denoted, e);
     const Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
     // A warning: writing an input lasts until the next scan reads the devices. Simulations do it on purpose.
     if (root->kind == tree::PlaceKind::Absolute && self && self->kind == UnitKind::Program && !self->isSimulation &&
@@ -182,7 +196,8 @@ void assignReference(Context& context, const Denoted& target, const syntax::Expr
         if (!address.isUnknown()) out.push_back(assignStmt(context, place, address.expr, range));
         return;
     }
-    if (place) context.emit(place->range, findings::NotAPointer(context.textOf(place->range)));
+    if (place && !context.isKind(place->type, TypeKind::Unknown))
+        context.emit(place->range, findings::NotAPointer(context.textOf(place->range)));
 }
 
 void assignAggregate(Context& context, tree::Place* place, const syntax::Expr& value, SourceRange range,
@@ -244,6 +259,7 @@ static void referenceStatement(Context& context, const syntax::Stmt& stmt, std::
             if (!source.isUnknown()) assignProperty(context, denoted, source, stmt.range, out);
             return;
         }
+        if (context.isKind(type, TypeKind::Unknown)) return; // the declaration has its message
     }
     if (denoted.kind != Denoted::Kind::Nothing)
         context.emit(stmt.target->range, findings::NotAPointer(context.textOf(stmt.target->range)));

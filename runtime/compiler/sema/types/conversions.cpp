@@ -211,10 +211,13 @@ Operand convertedText(Context& context, Operand operand, TypeId to) {
             // Too long is only advised: the assignment cuts at the capacity.
             if (context.types.kind(from) == context.types.kind(to)) return operand;
             if (wide) {
-                for (const char16_t c : *wide) {
-                    // STRING is Latin-1: a byte for a character.
-                    if (c <= 0xFF) continue;
-                    context.emit(range, findings::CharacterNotInString(utf16ToUtf8(std::u16string(1, c))));
+                const std::string utf8 = utf16ToUtf8(*wide);
+                size_t bad = 0;
+                if (!types::stringOfUtf8(context.types.strings, utf8, &bad)) {
+                    size_t end = bad;
+                    (void)decodeUtf8(utf8, end);
+                    context.emit(range, findings::CharacterNotInString(utf8.substr(bad, end - bad),
+                                                                       types::nameOf(context.types.strings)));
                     return unknown(context, range);
                 }
             }
@@ -314,6 +317,11 @@ std::optional<Operand> convertedCharacter(Context& context, const Operand& opera
         return std::nullopt;
     const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
     const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
+    if (narrow && toKind == TypeKind::Wchar) { // of a named constant: a literal has been wide already
+        const std::u16string same = types::wideOfString(context.types.strings, *narrow);
+        if (same.size() != 1) return std::nullopt;
+        return constant(context, {to, int64_t(same.front())}, operand.expr->range);
+    }
     if (narrow && narrow->size() == 1)
         return constant(context, {to, int64_t(static_cast<unsigned char>(narrow->front()))}, operand.expr->range);
     if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16)

@@ -107,7 +107,7 @@ std::u32string parseText(std::string_view text, bool isWide) {
                 code = code * 16 + static_cast<char32_t>(std::max(0, hex(text[i + k])));
             }
             if (good) {
-                out += code;
+                out += isWide ? code : types::kRawByte + code;
                 i += digits + 1;
                 continue;
             }
@@ -214,25 +214,26 @@ Operand dateLiteral(Context& context, const Written& written) {
 
 /// The characters of a text in the forms that its type may want.
 struct Characters {
-    std::string narrow; // one byte each
+    std::string narrow; // the bytes of a STRING
     std::string utf8;
-    char32_t foreign = 0; // the first that has no byte
+    char32_t foreign = 0; // the first that STRING does not have
 };
-Characters charactersOf(std::u32string_view text) {
+Characters charactersOf(types::StringCode code, std::u32string_view text, bool isWide) {
     Characters out;
     for (const char32_t c : text) {
-        // STRING holds Latin-1.
-        if (c > 0xFF && !out.foreign) out.foreign = c;
-        out.narrow += static_cast<char>(c);
-        appendUtf8(out.utf8, c);
+        if (!types::appendCharacter(code, out.narrow, c) && !out.foreign) out.foreign = c;
+        appendUtf8(out.utf8, c >= types::kRawByte ? c - types::kRawByte : c);
     }
+    // '$C6' is a byte of a STRING also where a WSTRING takes it.
+    if (!isWide && !out.foreign) out.utf8 = types::utf8OfString(code, out.narrow);
     return out;
 }
 
 Operand notInString(Context& context, const syntax::Expr& e, char32_t foreign) {
     std::string shown;
     appendUtf8(shown, foreign);
-    auto& diagnostic = context.emit(e.range, findings::CharacterNotInString(shown));
+    auto& diagnostic =
+        context.emit(e.range, findings::CharacterNotInString(shown, types::nameOf(context.types.strings)));
     diagnostic.fixes.push_back({fixes::WriteWstring(),
                                 {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""},
                                  {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
@@ -245,7 +246,7 @@ Operand textLiteral(Context& context, const Written& written) {
     const bool isWide = e.op == TokenKind::WstringLiteral;
     if (isWide && !written.typed.isValid())
         if (const auto named = quotedName(context, e, written.hint)) return *named;
-    const Characters text = charactersOf(parseText(e.text, isWide));
+    const Characters text = charactersOf(context.types.strings, parseText(e.text, isWide), isWide);
     const TypeKind wanted = written.typed.isValid()  ? context.types.storageKind(written.typed)
                             : written.hint.isValid() ? context.types.storageKind(written.hint)
                                                      : TypeKind::Unknown;
