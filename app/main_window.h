@@ -115,6 +115,7 @@ public:
     /// The user's own copy of a shipped example: the one made earlier, or a fresh one.
     bool openExample(const QString& example, bool fresh);
     void chooseLibraries();
+    void openProjectSettings();
     void runTests();
     void openSettings();
     void openPalette();

@@ -11,6 +11,7 @@
 #include "app/panels/live_views.h"
 #include "app/project/libraries_dialog.h"
 #include "app/project/new_project.h"
+#include "app/project/project_settings_dialog.h"
 #include "app/project/project_tree.h"
 #include "app/project/search_view.h"
 #include "app/settings/settings_dialog.h"
@@ -198,10 +199,15 @@ void MainWindow::chooseLibraries() {
     if (!m_workspace->isOpen()) return;
     LibrariesDialog dialog(m_workspace->project().libraries, this);
     if (dialog.exec() != QDialog::Accepted) return;
-    projects::Project project = m_workspace->project();
-    project.libraries = dialog.chosen();
-    project.json["libraries"] = project.libraries;
-    report(m_workspace->saveProjectFile(project));
+    nlohmann::ordered_json json = m_workspace->project().json;
+    json["libraries"] = dialog.chosen();
+    report(m_workspace->saveProjectFile(json));
+}
+
+void MainWindow::openProjectSettings() {
+    if (!m_workspace->isOpen()) return;
+    ProjectSettingsDialog dialog(m_workspace->project(), this);
+    if (dialog.exec() == QDialog::Accepted) report(m_workspace->saveProjectFile(dialog.json()));
 }
 
 void MainWindow::runTests() {

@@ -2946,6 +2946,10 @@
         <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
         <translation>{0} er ikke en sprogkode; brug koder som {1} eller {2}</translation>
     </message>
+    <message>
+        <source>Single files have no project.json for settings; create a project and put them into its folder src</source>
+        <translation>Enkelte filer har ingen project.json til indstillinger; opret et projekt, og læg dem i mappen src</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -8678,6 +8682,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>There are no columns here; go to a table or a list with columns first</source>
         <translation>Der er ingen kolonner her; gå først til en tabel eller en liste med kolonner</translation>
     </message>
+    <message>
+        <source>Project Settings…</source>
+        <translation>Projektindstillinger…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9062,6 +9070,121 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Filter of the problem list</source>
         <translation>Filter til problemlisten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectSettingsDialog</name>
+    <message>
+        <source>Project Settings</source>
+        <translation>Projektindstillinger</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
+        <translation>Bytes: %MW1 er byte 1 og 2 (TwinCAT)</translation>
+    </message>
+    <message>
+        <source>Words: %MW1 is the second word (CODESYS)</source>
+        <translation>Ord: %MW1 er det andet ord (CODESYS)</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> byte</translation>
+    </message>
+    <message>
+        <source>None (no __NEW)</source>
+        <translation>Ingen (intet __NEW)</translation>
+    </message>
+    <message>
+        <source>What the number of a memory address counts</source>
+        <translation>Hvad nummeret i en hukommelsesadresse tæller</translation>
+    </message>
+    <message>
+        <source>What the bytes of STRING values stand for</source>
+        <translation>Hvad byte i STRING-værdier står for</translation>
+    </message>
+    <message>
+        <source>What {IF defined (…)} in the sources finds, separated by commas</source>
+        <translation>Det som {IF defined (…)} i kildeteksten finder, adskilt af kommaer</translation>
+    </message>
+    <message>
+        <source>The part of the controller&apos;s memory that __NEW takes objects from</source>
+        <translation>Den del af styringens hukommelse som __NEW tager objekter fra</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Addressing</source>
+        <translation>Adressering</translation>
+    </message>
+    <message>
+        <source>Encoding of STRING</source>
+        <translation>Tegnkodning af STRING</translation>
+    </message>
+    <message>
+        <source>Defined symbols</source>
+        <translation>Definerede symboler</translation>
+    </message>
+    <message>
+        <source>Memory for __NEW</source>
+        <translation>Hukommelse til __NEW</translation>
+    </message>
+    <message>
+        <source>Date and time of the first scan</source>
+        <translation>Dato og klokkeslæt for første scan</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneler</translation>
+    </message>
+    <message>
+        <source>The first panel</source>
+        <translation>Det første panel</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Allow pictures outside the project folder</source>
+        <translation>Tillad billeder uden for projektmappen</translation>
+    </message>
+    <message>
+        <source>The panel that is drawn around all others</source>
+        <translation>Panelet der tegnes rundt om alle andre</translation>
+    </message>
+    <message>
+        <source>A variable with the operator&apos;s language; panels read and write it</source>
+        <translation>En variabel med operatørens sprog; paneler læser og skriver den</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Startpanel</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Ramme</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Skrifttype</translation>
+    </message>
+    <message>
+        <source>Language variable</source>
+        <translation>Sprogvariabel</translation>
+    </message>
+    <message>
+        <source>A project needs a name.</source>
+        <translation>Et projekt skal have et navn.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a date and time; write for example DT#2026-01-31-06:00:00.</source>
+        <translation>”%1” er ikke en dato med klokkeslæt; skriv f.eks. DT#2026-01-31-06:00:00.</translation>
     </message>
 </context>
 <context>

@@ -2946,6 +2946,10 @@
         <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
         <translation>{0} ist kein Sprachcode; verwenden Sie Codes wie {1} oder {2}</translation>
     </message>
+    <message>
+        <source>Single files have no project.json for settings; create a project and put them into its folder src</source>
+        <translation>Einzelne Dateien haben keine project.json für Einstellungen; legen Sie ein Projekt an und die Dateien in seinen Ordner src</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -8678,6 +8682,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>There are no columns here; go to a table or a list with columns first</source>
         <translation>Hier gibt es keine Spalten; gehen Sie zuerst in eine Tabelle oder eine Liste mit Spalten</translation>
     </message>
+    <message>
+        <source>Project Settings…</source>
+        <translation>Projekteinstellungen…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9062,6 +9070,121 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Filter of the problem list</source>
         <translation>Filter der Problemliste</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectSettingsDialog</name>
+    <message>
+        <source>Project Settings</source>
+        <translation>Projekteinstellungen</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
+        <translation>Bytes: %MW1 sind die Bytes 1 und 2 (TwinCAT)</translation>
+    </message>
+    <message>
+        <source>Words: %MW1 is the second word (CODESYS)</source>
+        <translation>Wörter: %MW1 ist das zweite Wort (CODESYS)</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> Bytes</translation>
+    </message>
+    <message>
+        <source>None (no __NEW)</source>
+        <translation>Keiner (kein __NEW)</translation>
+    </message>
+    <message>
+        <source>What the number of a memory address counts</source>
+        <translation>Was die Nummer einer Speicheradresse zählt</translation>
+    </message>
+    <message>
+        <source>What the bytes of STRING values stand for</source>
+        <translation>Wofür die Bytes von STRING-Werten stehen</translation>
+    </message>
+    <message>
+        <source>What {IF defined (…)} in the sources finds, separated by commas</source>
+        <translation>Was {IF defined (…)} in den Quelltexten findet, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>The part of the controller&apos;s memory that __NEW takes objects from</source>
+        <translation>Der Teil des Steuerungsspeichers, aus dem __NEW Objekte nimmt</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Addressing</source>
+        <translation>Adressierung</translation>
+    </message>
+    <message>
+        <source>Encoding of STRING</source>
+        <translation>Codierung von STRING</translation>
+    </message>
+    <message>
+        <source>Defined symbols</source>
+        <translation>Definierte Symbole</translation>
+    </message>
+    <message>
+        <source>Memory for __NEW</source>
+        <translation>Speicher für __NEW</translation>
+    </message>
+    <message>
+        <source>Date and time of the first scan</source>
+        <translation>Datum und Uhrzeit des ersten Zyklus</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
+    </message>
+    <message>
+        <source>The first panel</source>
+        <translation>Das erste Panel</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Allow pictures outside the project folder</source>
+        <translation>Bilder außerhalb des Projektordners zulassen</translation>
+    </message>
+    <message>
+        <source>The panel that is drawn around all others</source>
+        <translation>Das Panel, das um alle anderen gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>A variable with the operator&apos;s language; panels read and write it</source>
+        <translation>Eine Variable mit der Sprache des Bedieners; Panels lesen und schreiben sie</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Startpanel</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schriftart</translation>
+    </message>
+    <message>
+        <source>Language variable</source>
+        <translation>Sprachvariable</translation>
+    </message>
+    <message>
+        <source>A project needs a name.</source>
+        <translation>Ein Projekt braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a date and time; write for example DT#2026-01-31-06:00:00.</source>
+        <translation>„%1“ ist kein Datum mit Uhrzeit; schreiben Sie zum Beispiel DT#2026-01-31-06:00:00.</translation>
     </message>
 </context>
 <context>

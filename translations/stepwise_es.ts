@@ -2946,6 +2946,10 @@
         <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
         <translation>{0} no es un código de idioma; use códigos como {1} o {2}</translation>
     </message>
+    <message>
+        <source>Single files have no project.json for settings; create a project and put them into its folder src</source>
+        <translation>Los archivos sueltos no tienen project.json para los ajustes; cree un proyecto y póngalos en su carpeta src</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -8678,6 +8682,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>There are no columns here; go to a table or a list with columns first</source>
         <translation>Aquí no hay columnas; vaya antes a una tabla o a una lista con columnas</translation>
     </message>
+    <message>
+        <source>Project Settings…</source>
+        <translation>Ajustes del proyecto…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9062,6 +9070,121 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Filter of the problem list</source>
         <translation>Filtro de la lista de problemas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectSettingsDialog</name>
+    <message>
+        <source>Project Settings</source>
+        <translation>Ajustes del proyecto</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
+        <translation>Bytes: %MW1 son los bytes 1 y 2 (TwinCAT)</translation>
+    </message>
+    <message>
+        <source>Words: %MW1 is the second word (CODESYS)</source>
+        <translation>Palabras: %MW1 es la segunda palabra (CODESYS)</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> bytes</translation>
+    </message>
+    <message>
+        <source>None (no __NEW)</source>
+        <translation>Ninguna (sin __NEW)</translation>
+    </message>
+    <message>
+        <source>What the number of a memory address counts</source>
+        <translation>Lo que cuenta el número de una dirección de memoria</translation>
+    </message>
+    <message>
+        <source>What the bytes of STRING values stand for</source>
+        <translation>Lo que representan los bytes de los valores STRING</translation>
+    </message>
+    <message>
+        <source>What {IF defined (…)} in the sources finds, separated by commas</source>
+        <translation>Lo que {IF defined (…)} encuentra en las fuentes, separado por comas</translation>
+    </message>
+    <message>
+        <source>The part of the controller&apos;s memory that __NEW takes objects from</source>
+        <translation>La parte de la memoria del controlador de la que __NEW toma objetos</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Addressing</source>
+        <translation>Direccionamiento</translation>
+    </message>
+    <message>
+        <source>Encoding of STRING</source>
+        <translation>Codificación de STRING</translation>
+    </message>
+    <message>
+        <source>Defined symbols</source>
+        <translation>Símbolos definidos</translation>
+    </message>
+    <message>
+        <source>Memory for __NEW</source>
+        <translation>Memoria para __NEW</translation>
+    </message>
+    <message>
+        <source>Date and time of the first scan</source>
+        <translation>Fecha y hora del primer ciclo</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>The first panel</source>
+        <translation>El primer panel</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Allow pictures outside the project folder</source>
+        <translation>Permitir imágenes fuera de la carpeta del proyecto</translation>
+    </message>
+    <message>
+        <source>The panel that is drawn around all others</source>
+        <translation>El panel que se dibuja alrededor de todos los demás</translation>
+    </message>
+    <message>
+        <source>A variable with the operator&apos;s language; panels read and write it</source>
+        <translation>Una variable con el idioma del operador; los paneles la leen y la escriben</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Panel inicial</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Marco</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Fuente</translation>
+    </message>
+    <message>
+        <source>Language variable</source>
+        <translation>Variable de idioma</translation>
+    </message>
+    <message>
+        <source>A project needs a name.</source>
+        <translation>Un proyecto necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a date and time; write for example DT#2026-01-31-06:00:00.</source>
+        <translation>«%1» no es una fecha con hora; escriba, por ejemplo, DT#2026-01-31-06:00:00.</translation>
     </message>
 </context>
 <context>

@@ -2946,6 +2946,10 @@
         <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
         <translation>{0} n’est pas un code de langue&#x202f;; utilisez des codes comme {1} ou {2}</translation>
     </message>
+    <message>
+        <source>Single files have no project.json for settings; create a project and put them into its folder src</source>
+        <translation>Des fichiers isolés n&apos;ont pas de project.json pour les paramètres ; créez un projet et placez-les dans son dossier src</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -8678,6 +8682,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>There are no columns here; go to a table or a list with columns first</source>
         <translation>Il n’y a pas de colonnes ici&#x202f;; allez d’abord dans un tableau ou une liste avec des colonnes</translation>
     </message>
+    <message>
+        <source>Project Settings…</source>
+        <translation>Paramètres du projet…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9062,6 +9070,121 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Filter of the problem list</source>
         <translation>Filtre de la liste des problèmes</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectSettingsDialog</name>
+    <message>
+        <source>Project Settings</source>
+        <translation>Paramètres du projet</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
+        <translation>Octets : %MW1 désigne les octets 1 et 2 (TwinCAT)</translation>
+    </message>
+    <message>
+        <source>Words: %MW1 is the second word (CODESYS)</source>
+        <translation>Mots : %MW1 désigne le deuxième mot (CODESYS)</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> octets</translation>
+    </message>
+    <message>
+        <source>None (no __NEW)</source>
+        <translation>Aucune (pas de __NEW)</translation>
+    </message>
+    <message>
+        <source>What the number of a memory address counts</source>
+        <translation>Ce que compte le numéro d&apos;une adresse mémoire</translation>
+    </message>
+    <message>
+        <source>What the bytes of STRING values stand for</source>
+        <translation>Ce que représentent les octets des valeurs STRING</translation>
+    </message>
+    <message>
+        <source>What {IF defined (…)} in the sources finds, separated by commas</source>
+        <translation>Ce que {IF defined (…)} trouve dans les sources, séparé par des virgules</translation>
+    </message>
+    <message>
+        <source>The part of the controller&apos;s memory that __NEW takes objects from</source>
+        <translation>La partie de la mémoire de l&apos;automate où __NEW prend ses objets</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Addressing</source>
+        <translation>Adressage</translation>
+    </message>
+    <message>
+        <source>Encoding of STRING</source>
+        <translation>Encodage de STRING</translation>
+    </message>
+    <message>
+        <source>Defined symbols</source>
+        <translation>Symboles définis</translation>
+    </message>
+    <message>
+        <source>Memory for __NEW</source>
+        <translation>Mémoire pour __NEW</translation>
+    </message>
+    <message>
+        <source>Date and time of the first scan</source>
+        <translation>Date et heure du premier cycle</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>The first panel</source>
+        <translation>La première vue</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Allow pictures outside the project folder</source>
+        <translation>Autoriser les images hors du dossier du projet</translation>
+    </message>
+    <message>
+        <source>The panel that is drawn around all others</source>
+        <translation>La vue dessinée autour de toutes les autres</translation>
+    </message>
+    <message>
+        <source>A variable with the operator&apos;s language; panels read and write it</source>
+        <translation>Une variable contenant la langue de l&apos;opérateur ; les vues la lisent et l&apos;écrivent</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Vue de départ</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Cadre</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Police</translation>
+    </message>
+    <message>
+        <source>Language variable</source>
+        <translation>Variable de langue</translation>
+    </message>
+    <message>
+        <source>A project needs a name.</source>
+        <translation>Un projet doit avoir un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a date and time; write for example DT#2026-01-31-06:00:00.</source>
+        <translation>« %1 » n&apos;est pas une date avec heure ; écrivez par exemple DT#2026-01-31-06:00:00.</translation>
     </message>
 </context>
 <context>

@@ -2946,6 +2946,10 @@
         <source>{0} is not the code of a language; use codes such as {1} or {2}</source>
         <translation>{0} 不是语言代码；请使用 {1} 或 {2} 这样的代码</translation>
     </message>
+    <message>
+        <source>Single files have no project.json for settings; create a project and put them into its folder src</source>
+        <translation>单独的文件没有保存设置的 project.json；请新建项目，并把文件放入其 src 文件夹</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -8672,6 +8676,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>There are no columns here; go to a table or a list with columns first</source>
         <translation>此处没有列；请先转到带列的表格或列表</translation>
     </message>
+    <message>
+        <source>Project Settings…</source>
+        <translation>项目设置…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9056,6 +9064,121 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Filter of the problem list</source>
         <translation>问题列表筛选</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectSettingsDialog</name>
+    <message>
+        <source>Project Settings</source>
+        <translation>项目设置</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
+        <translation>字节：%MW1 为第 1 和第 2 字节（TwinCAT）</translation>
+    </message>
+    <message>
+        <source>Words: %MW1 is the second word (CODESYS)</source>
+        <translation>字：%MW1 为第二个字（CODESYS）</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> 字节</translation>
+    </message>
+    <message>
+        <source>None (no __NEW)</source>
+        <translation>无（不能使用 __NEW）</translation>
+    </message>
+    <message>
+        <source>What the number of a memory address counts</source>
+        <translation>存储器地址的编号所计的单位</translation>
+    </message>
+    <message>
+        <source>What the bytes of STRING values stand for</source>
+        <translation>STRING 值中各字节所代表的字符</translation>
+    </message>
+    <message>
+        <source>What {IF defined (…)} in the sources finds, separated by commas</source>
+        <translation>源代码中 {IF defined (…)} 所能找到的符号，以逗号分隔</translation>
+    </message>
+    <message>
+        <source>The part of the controller&apos;s memory that __NEW takes objects from</source>
+        <translation>控制器内存中供 __NEW 创建对象的部分</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Addressing</source>
+        <translation>寻址方式</translation>
+    </message>
+    <message>
+        <source>Encoding of STRING</source>
+        <translation>STRING 的编码</translation>
+    </message>
+    <message>
+        <source>Defined symbols</source>
+        <translation>已定义的符号</translation>
+    </message>
+    <message>
+        <source>Memory for __NEW</source>
+        <translation>__NEW 的内存</translation>
+    </message>
+    <message>
+        <source>Date and time of the first scan</source>
+        <translation>首个扫描周期的日期和时间</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>The first panel</source>
+        <translation>第一个画面</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Allow pictures outside the project folder</source>
+        <translation>允许使用项目文件夹以外的图片</translation>
+    </message>
+    <message>
+        <source>The panel that is drawn around all others</source>
+        <translation>绘制在其他所有画面周围的画面</translation>
+    </message>
+    <message>
+        <source>A variable with the operator&apos;s language; panels read and write it</source>
+        <translation>保存操作员语言的变量；画面会读写它</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>起始画面</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>框架</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>字体</translation>
+    </message>
+    <message>
+        <source>Language variable</source>
+        <translation>语言变量</translation>
+    </message>
+    <message>
+        <source>A project needs a name.</source>
+        <translation>项目必须有名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a date and time; write for example DT#2026-01-31-06:00:00.</source>
+        <translation>“%1”不是日期时间；请写成 DT#2026-01-31-06:00:00 这样的形式。</translation>
     </message>
 </context>
 <context>

@@ -208,11 +208,11 @@ void DesignPages::saveLanguages() {
     if (!m_parts.live.design()) return;
     std::vector<std::string> languages;
     for (const QString& tag : m_parts.live.panels().texts.settings().languages) languages.push_back(tag.toStdString());
-    projects::Project project = m_parts.workspace.project();
+    const projects::Project& project = m_parts.workspace.project();
     if (languages == project.languages) return;
-    project.languages = languages;
-    project.json["hmi"]["languages"] = languages;
-    report(m_parts.workspace.saveProjectFile(project));
+    nlohmann::ordered_json json = project.json;
+    json["hmi"]["languages"] = languages;
+    report(m_parts.workspace.saveProjectFile(json));
 }
 
 void DesignPages::report(const Result<void>& result) {

@@ -108,11 +108,11 @@ Result<void> FileCommands::leadTo(const QString& panel, const QString& newName) 
             !written)
             return written;
     }
-    projects::Project project = m_parts.workspace.project();
+    const projects::Project& project = m_parts.workspace.project();
     if (QString::fromStdString(project.startPanel) != panel) return {};
-    project.startPanel = newName.toStdString();
-    project.json["hmi"]["startPanel"] = project.startPanel;
-    return m_parts.workspace.saveProjectFile(project);
+    nlohmann::ordered_json json = project.json;
+    json["hmi"]["startPanel"] = newName.toStdString();
+    return m_parts.workspace.saveProjectFile(json);
 }
 
 void FileCommands::renameSource(const QString& from, const QString& to) {

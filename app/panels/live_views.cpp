@@ -56,6 +56,7 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
 
     connect(&workspace, &editor::Workspace::opened, this, &LiveViews::projectOpened);
     connect(&workspace, &editor::Workspace::closed, this, &LiveViews::projectClosed);
+    connect(&workspace, &editor::Workspace::settingsChanged, this, &LiveViews::takeSettings);
     connect(&control, &editor::RunControl::sessionChanged, this, &LiveViews::sessionChanged);
     connect(&control, &editor::RunControl::sessionAboutToEnd, this, &LiveViews::sessionChanged);
     connect(&control, &editor::RunControl::viewedChanged, this, &LiveViews::viewedChanged);
@@ -144,6 +145,14 @@ void LiveViews::reloadPanels() {
     m_design = std::make_shared<hmi::DesignContext>(*m_panels);
     connectDesign();
     makePlayer();
+    emit panelsChanged();
+}
+
+/// Beside designers that are open: what is drawn in them stays.
+void LiveViews::takeSettings() {
+    if (!m_design) return;
+    m_panels->takeSettings(m_workspace.project(), m_design->areTextsChanged());
+    if (m_player) m_player->projectChanged();
     emit panelsChanged();
 }
 

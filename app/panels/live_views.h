@@ -81,6 +81,7 @@ signals:
 private:
     const kit::VariableProvider& variables();
     void projectOpened();
+    void takeSettings();
     void projectClosed();
     void sessionChanged();
     void recordingShown();

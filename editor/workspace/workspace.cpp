@@ -91,6 +91,7 @@ void Workspace::watchFiles() {
     for (const auto& [file, content] : m_files) paths << absolutePath(file);
     for (const char* part : {"src", "tests"})
         if (QDir(folder() + "/" + part).exists()) paths << folder() + "/" + part;
+    if (QFile::exists(folder() + "/project.json")) paths << folder() + "/project.json";
     if (!paths.isEmpty()) m_watcher.addPaths(paths);
 }
 
@@ -240,14 +241,24 @@ Result<void> Workspace::rereadProject() {
     return {};
 }
 
-Result<void> Workspace::saveProjectFile(const projects::Project& project) {
-    if (auto saved = projects::saveProjectFile(project); !saved) return saved;
-    m_project->json = project.json;
-    m_project->libraries = project.libraries;
-    m_project->languages = project.languages;
-    m_project->name = project.name;
-    startCheck();
+Result<void> Workspace::saveProjectFile(const nlohmann::ordered_json& json) {
+    if (folder().isEmpty()) return Error{errors::SingleFilesHaveNoSettings(), ""};
+    projects::Project changed = *m_project;
+    auto onDisk = projects::readProjectJson(changed.folder);
+    if (!onDisk) return onDisk.error();
+    changed.json = std::move(*onDisk);
+    projects::carryChanges(m_project->json, json, changed.json);
+    if (auto read = projects::readSettings(changed, changed.folder + "/project.json"); !read) return read;
+    if (auto saved = projects::saveProjectFile(changed); !saved) return saved;
+    takeSettings(std::move(changed));
     return {};
+}
+
+void Workspace::takeSettings(projects::Project changed) {
+    m_project = std::move(changed);
+    watchFiles(); // project.json was replaced, or is new
+    emit settingsChanged();
+    startCheck();
 }
 
 // ------------------------------------------------------------------ changes from outside
@@ -269,7 +280,7 @@ void Workspace::lookAtDisk() {
 void Workspace::readDiskChange(const QString& absolute) {
     const QString file = QDir(folder()).relativeFilePath(absolute);
     const auto it = m_files.find(file);
-    if (it == m_files.end()) return;
+    if (it == m_files.end()) return file == QLatin1String("project.json") ? readFolderChange() : void();
     const auto read = projects::readSourceText(toStd(absolute));
     if (!read) { // moved away, or about to be replaced by another program
         readFolderChange();
@@ -296,6 +307,11 @@ void Workspace::readFolderChange() {
     if (!m_project) return;
     const auto project = projects::openProject({toStd(folder())});
     if (!project) return; // half-written; the next change tells
+    if (project->json != m_project->json) {
+        projects::Project changed = *m_project;
+        changed.json = project->json;
+        if (projects::readSettings(changed, changed.folder + "/project.json")) takeSettings(std::move(changed));
+    }
     bool changed = false;
     std::map<QString, bool> there;
     for (const auto* list : {&project->sources, &project->tests})

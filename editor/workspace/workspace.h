@@ -62,7 +62,9 @@ public:
     void lookAtDisk();
     /// Panels, traces and settings as they stand on disk now; the texts stay as edited.
     Result<void> rereadProject();
-    Result<void> saveProjectFile(const projects::Project& project);
+    /// Writes what `json` says otherwise than the project's own; what another program wrote meanwhile stays. Wrong
+    /// settings are refused, and nothing is written.
+    Result<void> saveProjectFile(const nlohmann::ordered_json& json);
 
     [[nodiscard]] std::shared_ptr<const analysis::CodeModel> model() const { return m_model; }
     void announce(); // the newest analysis again, to views that are new
@@ -78,6 +80,7 @@ signals:
     void opened();
     void closed();
     void filesChanged();
+    void settingsChanged();                 // project.json says something else, here or on disk
     void textReplaced(const QString& file); // changed from outside or reverted: editors load it again
     void modificationChanged(const QString& file, bool modified);
     void changedOnDiskAndHere(const QString& file); // the user must choose
@@ -109,6 +112,7 @@ private:
     void workerLoop();
     void readDiskChange(const QString& absolute);
     void readFolderChange();
+    void takeSettings(projects::Project changed);
     [[nodiscard]] bool isNewerOnDisk(const QString& file) const;
     void watchFiles();
     void autosave();

@@ -202,33 +202,59 @@ std::vector<Error> misreadFields(const projects::Project& project) {
 
 } // namespace
 
+void PanelProject::readSettings(const projects::Project& project) {
+    LanguageSettings settings;
+    standard = StandardSettings::fromJson(Json::object());
+    picturesOutside = false;
+    frame.clear();
+    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) {
+        settings = LanguageSettings::fromJson(*hmi);
+        standard = StandardSettings::fromJson(*hmi);
+        picturesOutside = hmi->is_object() && hmi->contains("picturesOutside") && (*hmi)["picturesOutside"] == true;
+        if (const auto named = hmi->find("frame"); hmi->is_object() && named != hmi->end() && named->is_string())
+            frame = QString::fromStdString(named->get<std::string>());
+    }
+    startPanel = QString::fromStdString(project.startPanel);
+    if (startPanel.endsWith(QStringLiteral(".panel.json"))) startPanel.chop(11);
+    std::erase_if(problems, [](const Error& each) { return each.place == "project.json"; });
+    for (Error& each : misreadFields(project)) problems.push_back(std::move(each));
+    texts.setSettings(std::move(settings));
+}
+
+void PanelProject::findStartPanel() {
+    if (!startPanel.isEmpty() && !find(startPanel))
+        problems.push_back({errors::NoPanel(toUtf8(startPanel)), "project.json"});
+    startPanel = startOrFirst();
+}
+
+void PanelProject::takeSettings(const projects::Project& project, bool keepsLanguages) {
+    const QStringList before = texts.settings().languages;
+    readSettings(project);
+    findStartPanel();
+    LanguageSettings settings = texts.settings();
+    if (settings.languages == before) return;
+    TextTable table = texts.table();
+    if (keepsLanguages)
+        settings.languages = before;
+    else
+        for (const QString& tag : settings.languages) table.addLanguage(tag);
+    texts = TextCatalog(std::move(table), std::move(settings));
+}
+
 PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
-    LanguageSettings settings;
-    out.standard = StandardSettings::fromJson(Json::object());
-    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) {
-        settings = LanguageSettings::fromJson(*hmi);
-        out.standard = StandardSettings::fromJson(*hmi);
-        out.picturesOutside = hmi->is_object() && hmi->contains("picturesOutside") && (*hmi)["picturesOutside"] == true;
-        if (const auto frame = hmi->find("frame"); hmi->is_object() && frame != hmi->end() && frame->is_string())
-            out.frame = QString::fromStdString(frame->get<std::string>());
-    }
-    out.startPanel = QString::fromStdString(project.startPanel);
-    out.problems = misreadFields(project);
+    out.readSettings(project);
     TextTable empty;
-    for (const QString& tag : settings.languages) empty.addLanguage(tag);
-    out.texts = TextCatalog(std::move(empty), std::move(settings));
+    for (const QString& tag : out.texts.settings().languages) empty.addLanguage(tag);
+    out.texts.setTable(std::move(empty));
     if (QFileInfo::exists(out.textsPath())) out.readTexts();
     if (QFileInfo::exists(out.alarmsPath())) out.readAlarms();
     if (QFileInfo::exists(out.peoplePath())) out.readPeople();
     if (QFileInfo::exists(out.recipesPath())) out.readRecipes();
     out.readThemes();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
-    if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
-    if (!out.startPanel.isEmpty() && !out.find(out.startPanel))
-        out.problems.push_back({errors::NoPanel(toUtf8(out.startPanel)), "project.json"});
-    out.startPanel = out.startOrFirst();
+    out.findStartPanel();
     return out;
 }
 

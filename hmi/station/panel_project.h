@@ -31,6 +31,12 @@ struct PanelProject {
     /// What the files held; null: nobody minds what is written over.
     std::shared_ptr<DiskState> disk = std::make_shared<DiskState>();
 
+    /// What project.json says of the panels, into the fields above; what it misses is among the problems.
+    void readSettings(const projects::Project& project);
+    /// The same once the panels are there. `keepsLanguages`: the texts are being edited, with languages of their own.
+    void takeSettings(const projects::Project& project, bool keepsLanguages);
+    /// Once the panels are there: a start panel that is none is among the problems, and another takes its place.
+    void findStartPanel();
     const NamedPanel* find(const QString& name) const;
     NamedPanel* find(const QString& name);
     /// The start panel, or what takes its place as long as none is set: the first that is no faceplate and no frame.

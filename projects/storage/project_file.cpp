@@ -187,36 +187,52 @@ Result<void> readSourceSettings(Project& project, const std::string& file) {
     return {};
 }
 
-Result<Project> openFolder(const fs::path& folder) {
-    removeLeftovers(folder.string());
-    Project project;
-    project.folder = fs::absolute(folder).lexically_normal().string();
-    if (project.folder.size() > 1 && project.folder.ends_with('/')) project.folder.pop_back();
-    project.name = fs::path(project.folder).filename().string();
-    const fs::path file = folder / "project.json";
-    if (std::error_code ignored; fs::exists(file, ignored)) {
-        const auto text = readFile(file.string());
-        if (!text) return text.error();
-        JsonText<Json> json = readJson<Json>(*text);
-        if (!json.isGood()) return Error{errors::ProjectNotJson(), file.string() + ":" + std::to_string(json.line)};
-        project.json = std::move(json.value);
-        if (!project.json.is_object()) return Error{errors::ProjectNotObject(), file.string()};
-    } else {
-        std::error_code none;
-        if (!fs::is_directory(folder / "src", none) && filesIn(folder, ".st").empty())
-            return Error{errors::NoProjectInFolder(), folder.string()};
-        project.json = Json::object();
+} // namespace
+
+Result<Json> readProjectJson(const std::string& folder) {
+    const std::string file = (fs::path(folder) / "project.json").string();
+    if (std::error_code ignored; !fs::exists(file, ignored)) return Json::object();
+    const auto text = readFile(file);
+    if (!text) return text.error();
+    JsonText<Json> json = readJson<Json>(*text);
+    if (!json.isGood()) return Error{errors::ProjectNotJson(), file + ":" + std::to_string(json.line)};
+    if (!json.value.is_object()) return Error{errors::ProjectNotObject(), file};
+    return std::move(json.value);
+}
+
+void carryChanges(const Json& before, const Json& after, Json& target) {
+    static const Json none = Json::object();
+    for (const auto& [field, value] : before.items())
+        if (!after.contains(field)) target.erase(field);
+    for (const auto& [field, value] : after.items()) {
+        const auto old = before.find(field);
+        if (old != before.end() && *old == value) continue;
+        if (value.is_object() && target.contains(field) && target[field].is_object())
+            carryChanges(old != before.end() && old->is_object() ? *old : none, value, target[field]);
+        else
+            target[field] = value;
     }
+}
+
+Result<void> readSettings(Project& project, const std::string& file) {
     const Json& json = project.json;
-    project.name = stringField(json, "name", project.name);
+    const Project usual; // what no field says
+    project.name = stringField(json, "name", fs::path(project.folder).filename().string());
+    project.memoryForNew = usual.memoryForNew;
+    project.startPanel = usual.startPanel;
+    project.languages = usual.languages;
+    project.fallback = usual.fallback;
+    project.font = usual.font;
+    project.languageVariable = usual.languageVariable;
+    project.calendarStart = usual.calendarStart;
     project.libraries = listField(json, "libraries");
     project.defines = listField(json, "defines");
-    if (auto done = readSourceSettings(project, file.string()); !done) return done.error();
+    if (auto done = readSourceSettings(project, file); !done) return done.error();
     for (std::string& library : project.libraries) {
         library = foldCase(library);
         const auto known = driver::libraryNames();
         if (library != "standard" && std::find(known.begin(), known.end(), library) == known.end()) {
-            return Error{errors::NoLibrary(library, {{known.begin(), known.end()}}), file.string()};
+            return Error{errors::NoLibrary(library, {{known.begin(), known.end()}}), file};
         }
     }
     if (json.contains("hmi") && json["hmi"].is_object()) {
@@ -230,6 +246,24 @@ Result<Project> openFolder(const fs::path& folder) {
     if (json.contains("settings") && json["settings"].is_object())
         project.calendarStart = stringField(json["settings"], "calendarStart");
     if (project.languages.empty()) project.languages = {"en"};
+    return {};
+}
+
+namespace {
+
+Result<Project> openFolder(const fs::path& folder) {
+    removeLeftovers(folder.string());
+    Project project;
+    project.folder = fs::absolute(folder).lexically_normal().string();
+    if (project.folder.size() > 1 && project.folder.ends_with('/')) project.folder.pop_back();
+    const fs::path file = folder / "project.json";
+    std::error_code ignored;
+    if (!fs::exists(file, ignored) && !fs::is_directory(folder / "src", ignored) && filesIn(folder, ".st").empty())
+        return Error{errors::NoProjectInFolder(), folder.string()};
+    auto json = readProjectJson(folder.string());
+    if (!json) return json.error();
+    project.json = std::move(*json);
+    if (auto done = readSettings(project, file.string()); !done) return done.error();
     if (auto done = readSources(folder, "src", project, project.sources); !done) return done.error();
     if (project.sources.empty())
         for (const std::string& name : filesIn(folder, ".st")) {

@@ -21,6 +21,14 @@ Result<void> writeSourceText(const std::string& path, std::string_view utf8, std
 Result<void> writeFileAtomically(const std::string& path, std::string_view content);
 /// A file that does not exist yet, without waiting for the disk: for many at once whose origin is still there.
 Result<void> writeNewFile(const std::string& path, std::string_view content);
+/// What `project.json` says into the fields of the project; an error, with `file` as its place, leaves some of them
+/// unread.
+Result<void> readSettings(Project& project, const std::string& file);
 Result<void> saveProjectFile(const Project& project);
+/// project.json of a folder as it is on disk; an empty object when there is none.
+[[nodiscard]] Result<nlohmann::ordered_json> readProjectJson(const std::string& folder);
+/// What `after` says otherwise than `before` goes into `target`; what else `target` says stays.
+void carryChanges(const nlohmann::ordered_json& before, const nlohmann::ordered_json& after,
+                  nlohmann::ordered_json& target);
 
 } // namespace plc::projects

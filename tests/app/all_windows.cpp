@@ -284,6 +284,7 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
     lookAtDialog(look, "new panel", [&] { window.designs().newPanel(); });
     lookAtDialog(look, "new trace", [&] { window.projectFiles().newTrace(); });
     lookAtDialog(look, "libraries", [&] { window.chooseLibraries(); });
+    lookAtDialog(look, "project settings", [&] { window.openProjectSettings(); });
     lookAtDialog(look, "about", [&] { window.about(); });
     lookAtDialog(look, "attach", [&] { window.action("run.attach")->trigger(); });
     lookAtDialog(look, "native program", [&] { window.action("run.native")->trigger(); });
