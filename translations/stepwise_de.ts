@@ -707,7 +707,7 @@
     </message>
     <message>
         <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
-        <translation>{0} ist ein Eingang mit CONSTANT, und hier wird ihm ein Wert zugewiesen; CONSTANT entfernen oder einer anderen Variablen zuweisen</translation>
+        <translation>{0} ist als Eingang mit CONSTANT deklariert, und hier wird ihm ein Wert zugewiesen; CONSTANT entfernen oder einer anderen Variablen zuweisen</translation>
     </message>
     <message>
         <source>{0}</source>
