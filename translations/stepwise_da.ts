@@ -707,7 +707,7 @@
     </message>
     <message>
         <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
-        <translation>{0} er en indgang med CONSTANT og tildeles en værdi her; fjern CONSTANT, eller tildel til en anden variabel</translation>
+        <translation>{0} er erklæret som indgang med CONSTANT og tildeles en værdi her; fjern CONSTANT, eller tildel til en anden variabel</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -3541,8 +3541,8 @@
         <translation>Dette er et ZIP-arkiv trods navnet; pak det ud, og importer mappen</translation>
     </message>
     <message>
-        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>Filen er i mappen til projektet {0}, som ikke har den på sin liste; den blev udeladt</translation>
+        <source>The file is in the folder of the project {0}, which does not list it or excludes it from its build; it was left out</source>
+        <translation>Filen er i mappen til projektet {0}, som ikke har den på sin liste eller udelukker den fra oversættelsen; den blev udeladt</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>

@@ -707,7 +707,7 @@
     </message>
     <message>
         <source>{0} is an input declared CONSTANT and is assigned to here; remove CONSTANT or assign to another variable</source>
-        <translation>{0} ist ein Eingang mit CONSTANT, und hier wird ihm ein Wert zugewiesen; CONSTANT entfernen oder einer anderen Variablen zuweisen</translation>
+        <translation>{0} ist als Eingang mit CONSTANT deklariert, und hier wird ihm ein Wert zugewiesen; CONSTANT entfernen oder einer anderen Variablen zuweisen</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -3541,8 +3541,8 @@
         <translation>Trotz ihres Namens ist die Datei ein ZIP-Archiv; entpacken Sie es und importieren Sie den Ordner</translation>
     </message>
     <message>
-        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>Die Datei liegt im Ordner des Projekts {0}, das sie nicht aufführt; sie wurde ausgelassen</translation>
+        <source>The file is in the folder of the project {0}, which does not list it or excludes it from its build; it was left out</source>
+        <translation>Die Datei liegt im Ordner des Projekts {0}, das sie nicht aufführt oder vom Build ausschließt; sie wurde ausgelassen</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>

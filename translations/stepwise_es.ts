@@ -3541,8 +3541,8 @@
         <translation>A pesar de su nombre, es un archivo ZIP; descomprímalo e importe la carpeta</translation>
     </message>
     <message>
-        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>El archivo está en la carpeta del proyecto {0}, que no lo incluye en su lista; se ha omitido</translation>
+        <source>The file is in the folder of the project {0}, which does not list it or excludes it from its build; it was left out</source>
+        <translation>El archivo está en la carpeta del proyecto {0}, que no lo incluye en su lista o lo excluye de su compilación; se ha omitido</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>

@@ -3541,8 +3541,8 @@
         <translation>Malgré son nom, c’est une archive ZIP&#x202f;; décompressez-la et importez le dossier</translation>
     </message>
     <message>
-        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>Le fichier est dans le dossier du projet {0}, qui ne le mentionne pas&#x202f;; il a été omis</translation>
+        <source>The file is in the folder of the project {0}, which does not list it or excludes it from its build; it was left out</source>
+        <translation>Le fichier est dans le dossier du projet {0}, qui ne le mentionne pas ou l’exclut de sa compilation&#x202f;; il a été omis</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>

@@ -3541,8 +3541,8 @@
         <translation>尽管名称如此，此文件是 ZIP 压缩包；请解压后导入文件夹</translation>
     </message>
     <message>
-        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>文件位于项目 {0} 的文件夹中，但该项目未列出它；已略去</translation>
+        <source>The file is in the folder of the project {0}, which does not list it or excludes it from its build; it was left out</source>
+        <translation>文件位于项目 {0} 的文件夹中，但该项目未列出它，或将其排除在编译之外；已略去</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>

@@ -67,14 +67,17 @@ std::string unescapedPath(const std::string& text) {
 
 struct PlcProject {
     TreePart part;
-    std::set<std::string> listed; // folded paths
-    bool hasPattern = false;      // Include="**\*.TcPOU"
+    std::set<std::string> listed;      // folded paths
+    bool hasPattern = false;           // Include="**\*.TcPOU"
+    std::vector<std::string> excluded; // folded: files and folders that are no part of the build
 };
 
 std::string folded(const fs::path& path) { return foldCase(path.lexically_normal().generic_string()); }
 
 void readItem(pugi::xml_node item, PlcProject& out) {
     const std::string include = unescapedPath(attribute(item, "Include"));
+    if (equalsIgnoringCase(trimmed(textOf(childOf(item, "ExcludeFromBuild"))), "true"))
+        out.excluded.push_back(folded(out.part.folder / include));
     if (is(item, "Compile")) {
         out.hasPattern |= include.find('*') != std::string::npos;
         out.listed.insert(folded(out.part.folder / include));
@@ -154,12 +157,18 @@ int ownerOf(const fs::path& file, const std::vector<PlcProject>& projects) {
     return owner;
 }
 
+bool isExcluded(const PlcProject& project, const std::string& file) {
+    return std::any_of(project.excluded.begin(), project.excluded.end(), [&](const std::string& each) {
+        return file == each || file.starts_with(each.ends_with('/') ? each : each + "/");
+    });
+}
+
 void sortInto(Tree& tree, std::vector<PlcProject>& projects, const std::vector<fs::path>& files, Progress* progress) {
     for (const fs::path& file : files) {
         if (!isSourceName(file) || !goesOn(progress, 0)) continue;
         bool isListed = false;
         for (PlcProject& each : projects)
-            if (each.listed.count(folded(file))) {
+            if (each.listed.count(folded(file)) && !isExcluded(each, folded(file))) {
                 each.part.files.push_back(file);
                 isListed = true;
             }
@@ -167,7 +176,7 @@ void sortInto(Tree& tree, std::vector<PlcProject>& projects, const std::vector<f
         const int owner = ownerOf(file, projects);
         if (owner >= 0) {
             PlcProject& project = projects[static_cast<size_t>(owner)];
-            const bool takesAll = project.listed.empty() || project.hasPattern;
+            const bool takesAll = (project.listed.empty() || project.hasPattern) && !isExcluded(project, folded(file));
             (takesAll ? project.part.files : project.part.leftOut).push_back(file);
         } else if (holdsProject(file)) {
             TreePart part;

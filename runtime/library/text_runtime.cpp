@@ -383,8 +383,8 @@ uint32_t plc_char_to_wide_by(uint32_t character, uint32_t code) {
                                        static_cast<unsigned char>(character));
 }
 int32_t plc_wchar_to_narrow_by(uint32_t character, uint32_t code) {
-    const auto made = plc::types::characterOfWide(static_cast<plc::types::StringCode>(code),
-                                                  static_cast<char16_t>(character));
+    const auto made =
+        plc::types::characterOfWide(static_cast<plc::types::StringCode>(code), static_cast<char16_t>(character));
     return made ? *made : -1;
 }
 
@@ -506,14 +506,14 @@ std::span<const RuntimeSymbol> runtimeSymbols() {
         PLC_SYMBOL(Prefix##_is_number), PLC_SYMBOL(Prefix##_from_character), PLC_SYMBOL(Prefix##_from_integer),        \
         PLC_SYMBOL(Prefix##_from_real), PLC_SYMBOL(Prefix##_to_integer), PLC_SYMBOL(Prefix##_to_real)
     static const RuntimeSymbol symbols[] = {
-        PLC_TEXT_SYMBOLS(plc_text),      PLC_TEXT_SYMBOLS(plc_wtext),       PLC_SYMBOL(plc_text_to_wide),
-        PLC_SYMBOL(plc_wtext_to_narrow), PLC_SYMBOL(plc_date_part),         PLC_SYMBOL(plc_time_part),
-        PLC_SYMBOL(plc_concat_date),     PLC_SYMBOL(plc_concat_tod),        PLC_SYMBOL(plc_concat_dt),
-        PLC_SYMBOL(plc_bcd_to_integer),  PLC_SYMBOL(plc_integer_to_bcd),    PLC_SYMBOL(plc_is_valid_bcd),
-        PLC_SYMBOL(plc_power_integer),   PLC_SYMBOL(plc_multiply_duration), PLC_SYMBOL(plc_divide_duration),
-        PLC_SYMBOL(plc_real_to_time),    PLC_SYMBOL(plc_text_to_wide_by),   PLC_SYMBOL(plc_wtext_to_narrow_by),
-        PLC_SYMBOL(plc_text_upper_by),   PLC_SYMBOL(plc_text_lower_by),
-        PLC_SYMBOL(plc_char_to_wide_by), PLC_SYMBOL(plc_wchar_to_narrow_by),
+        PLC_TEXT_SYMBOLS(plc_text),         PLC_TEXT_SYMBOLS(plc_wtext),       PLC_SYMBOL(plc_text_to_wide),
+        PLC_SYMBOL(plc_wtext_to_narrow),    PLC_SYMBOL(plc_date_part),         PLC_SYMBOL(plc_time_part),
+        PLC_SYMBOL(plc_concat_date),        PLC_SYMBOL(plc_concat_tod),        PLC_SYMBOL(plc_concat_dt),
+        PLC_SYMBOL(plc_bcd_to_integer),     PLC_SYMBOL(plc_integer_to_bcd),    PLC_SYMBOL(plc_is_valid_bcd),
+        PLC_SYMBOL(plc_power_integer),      PLC_SYMBOL(plc_multiply_duration), PLC_SYMBOL(plc_divide_duration),
+        PLC_SYMBOL(plc_real_to_time),       PLC_SYMBOL(plc_text_to_wide_by),   PLC_SYMBOL(plc_wtext_to_narrow_by),
+        PLC_SYMBOL(plc_text_upper_by),      PLC_SYMBOL(plc_text_lower_by),     PLC_SYMBOL(plc_char_to_wide_by),
+        PLC_SYMBOL(plc_wchar_to_narrow_by),
     };
 #undef PLC_TEXT_SYMBOLS
 #undef PLC_SYMBOL

@@ -94,7 +94,11 @@ Value toTextValue(const TypeTable& types, TypeId type, const Value& value, bool&
         for (const char c : text.view()) wide += static_cast<unsigned char>(c);
     }
     if (target.kind == TypeKind::Wstring) {
-        if (wide.size() > target.capacity) wide.resize(target.capacity);
+        if (wide.size() > target.capacity) {
+            wide.resize(target.capacity);
+            const bool isHalf = !wide.empty() && (wide.back() & 0xFC00) == 0xD800;
+            if (isHalf && std::holds_alternative<std::string>(value.data)) wide.pop_back(); // as plc_text_to_wide_by
+        }
         return {type, std::move(wide)};
     }
     return {type, stringOfWide(types.strings, wide, ok, target.capacity)};

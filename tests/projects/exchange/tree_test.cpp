@@ -50,6 +50,27 @@ protected:
     }
 };
 
+TEST_F(ProjectTrees, WhatAProjectExcludesFromItsBuildIsLeftOut) {
+    const auto texts = [](const std::string& name, const std::string& text) {
+        return "<TcPlcObject><GVL Name=\"" + name + "\"><Declaration><![CDATA[VAR_GLOBAL\n yes : STRING := '" + text +
+               "';\nEND_VAR\n]]></Declaration></GVL></TcPlcObject>";
+    };
+    std::string project = plcproj("Texts", {"MAIN.TcPOU", "English\\TxtEn.TcGVL", "German\\TxtDe.TcGVL"});
+    project.insert(project.find("</ItemGroup>"),
+                   "<Compile Include=\"Old.TcPOU\"><ExcludeFromBuild>true</ExcludeFromBuild></Compile>"
+                   "<Folder Include=\"English\"><ExcludeFromBuild>false</ExcludeFromBuild></Folder>"
+                   "<Folder Include=\"German\"><ExcludeFromBuild>true</ExcludeFromBuild></Folder>");
+    write("tree/Texts.plcproj", project);
+    write("tree/MAIN.TcPOU", object("MAIN", "PROGRAM MAIN\nVAR s : STRING; END_VAR\n", "s := yes;"));
+    write("tree/Old.TcPOU", object("Old", "PROGRAM Old\nVAR END_VAR\n", "missing := 1;"));
+    write("tree/English/TxtEn.TcGVL", texts("TxtEn", "Yes"));
+    write("tree/German/TxtDe.TcGVL", texts("TxtDe", "Ja"));
+    const std::vector<Imported> all = projects("tree");
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(errorsOf(all.front()), "");
+    EXPECT_EQ(notes(all.front(), NoteKind::FileNotListed), 2u) << all.front().report.toText();
+}
+
 TEST_F(ProjectTrees, ProjectsThatShareNamesBecomeOneEachWithTheLibrariesTheyUse) {
     writeApplication("Press");
     writeApplication("Oven");
