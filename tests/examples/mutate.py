@@ -141,7 +141,7 @@ def main():
     parser.add_argument("projects", nargs="+", type=Path)
     parser.add_argument("--count", type=int, default=0, help="so many changes of each project, chosen at random; 0: all")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--seconds", type=int, default=30, help="a change that takes more processor time counts as noticed")
+    parser.add_argument("--seconds", type=int, default=8, help="a change that takes more processor time counts as noticed")
     parser.add_argument("--least", type=float, default=85.0, help="percent")
     parser.add_argument("--log", default="-", help="file for the changes that nothing noticed")
     parser.add_argument("--plants", action="store_true", help="change the plants, too")

@@ -17,6 +17,11 @@ constexpr double LaneHeight = 28, LeastPlot = 48;
 
 double laneHeightFor(const QFont& font) { return std::max(LaneHeight, QFontMetricsF(font).height() * 1.6); }
 
+/// Between the legend above a pane and its frame: half of the number at the uppermost tick stands there.
+double roomForTopTick(const PlotPane& pane, double legend, const QFont& font) {
+    return pane.isLanes || legend <= 0 ? 0 : std::ceil(QFontMetricsF(font).height() / 2);
+}
+
 } // namespace
 
 void PlotRenderer::makePanes(const PlotModel& model) {
@@ -269,7 +274,8 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         for (size_t i = 0; i < m_panes.size(); ++i) {
             used += room[i].top() + room[i].bottom() + (i > 0 ? 4 : 0);
             const bool first = i == 0 || m_panes[i - 1].chart != m_panes[i].chart;
-            if (first) used += legends[static_cast<size_t>(m_panes[i].chart)];
+            const double legend = legends[static_cast<size_t>(m_panes[i].chart)];
+            if (first) used += legend + roomForTopTick(m_panes[i], legend, m_font);
             if (m_panes[i].isLanes)
                 lanes += static_cast<int>(m_panes[i].curves.size());
             else
@@ -328,7 +334,10 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
     double y = top;
     for (size_t i = 0; i < m_panes.size(); ++i) {
         const bool first = i == 0 || m_panes[i - 1].chart != m_panes[i].chart;
-        if (first) y += legendHeight(model, m_panes[i].chart, inner.left() + left, width, y, true);
+        if (first) {
+            const double legend = legendHeight(model, m_panes[i].chart, inner.left() + left, width, y, true);
+            y += legend + roomForTopTick(m_panes[i], legend, m_font);
+        }
         y += room[i].top() + (i > 0 && !first ? 4 : 0);
         m_parts[i]->axes.place(QRectF(std::round(inner.left() + left), std::round(y), width, heights[i]));
         m_panes[i].area = m_parts[i]->axes.area();

@@ -11,6 +11,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plc::trace {
@@ -32,13 +33,26 @@ QColor colorOf(const QString& name) {
     return {};
 }
 
+constexpr double ReadableOnDark = 4.5; // the names at the ends of the curves have their colours
+
+QColor withLightness(const QColor& color, double lightness) {
+    return QColor::fromHslF(static_cast<float>(std::max(0.0, static_cast<double>(color.hslHueF()))),
+                            color.hslSaturationF(), static_cast<float>(std::clamp(lightness, 0.0, 1.0)));
+}
+
 /// A colour chosen on a light ground must also be seen on a dark one, and the other way round.
 QColor readable(const QColor& color) {
-    const double ground = kit::colors().plotGround.lightnessF(), own = color.lightnessF();
-    if (std::abs(ground - own) >= 0.3) return kit::legible(color);
-    return kit::legible(QColor::fromHslF(static_cast<float>(std::max(0.0, static_cast<double>(color.hslHueF()))),
-                                         color.hslSaturationF(),
-                                         static_cast<float>(ground < 0.5 ? ground + 0.45 : ground - 0.45)));
+    const QColor& paper = kit::colors().plotGround;
+    const double ground = paper.lightnessF();
+    double own = color.lightnessF();
+    QColor out = color;
+    if (std::abs(ground - own) < 0.3) {
+        own = ground < 0.5 ? ground + 0.45 : ground - 0.45;
+        out = withLightness(color, own);
+    }
+    for (; ground < 0.5 && own < 1 && kit::contrast(out, paper) < ReadableOnDark; own += 0.02)
+        out = withLightness(color, own);
+    return kit::legible(out);
 }
 
 plot::AxisMode modeOf(ScaleMode mode) {

@@ -83,6 +83,28 @@ TEST(PlotRoom, NamesAreBesideTheEndsOfTheirCurvesAndApart) {
     EXPECT_TRUE(Drawn(model, {300, 200}).renderer.endLabels().empty()) << "a small picture is for the curves";
 }
 
+TEST(PlotRoom, TheNumberAtTheUppermostTickIsBelowTheLegend) {
+    for (const QSize size : {QSize(900, 500), QSize(900, 260)}) {
+        PlotModel model = modelOf({curveOf("Main.level", 0, 100, Qt::red), curveOf("Main.other", 0, 80, Qt::blue)});
+        model.charts.push_back(model.charts[0]);
+        model.curves[1].chart = 1;
+        for (PlotChart& chart : model.charts) {
+            chart.title = "Level";
+            chart.axes[0].mode = AxisMode::Fixed;
+            chart.axes[0].fixed = {0, 100}; // a tick at the frame
+        }
+        const Drawn drawn(model, size);
+        const double line = QFontMetricsF(QApplication::font()).height();
+        ASSERT_EQ(drawn.renderer.panes().size(), 2u);
+        for (const LegendEntry& entry : drawn.renderer.legend()) {
+            const int chart = model.curves[static_cast<size_t>(entry.curve)].chart;
+            const QRectF area = drawn.renderer.panes()[static_cast<size_t>(chart)].area;
+            const double textBottom = entry.rect.center().y() + line / 2;
+            EXPECT_GE(area.top() - line / 2, textBottom - 0.5) << size.height() << ": chart " << chart;
+        }
+    }
+}
+
 TEST(PlotRoom, AnExpressionIsNotCutAtItsPoints) {
     const auto roomBeside = [](const char* second) {
         const PlotModel model = modelOf({curveOf("Main.tank.low", 0, 49, Qt::red), curveOf(second, 0, 5, Qt::blue)});
