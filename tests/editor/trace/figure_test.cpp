@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QImage>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -283,6 +284,24 @@ TEST(TableRecordingTest, ATableThatIsNoneSaysWhy) {
     ASSERT_FALSE(opened);
     EXPECT_NE(opened.error().english().find("column of times"), std::string::npos);
     EXPECT_FALSE(RunRecording::open(folder.filePath("missing.csv").toStdString()));
+}
+
+TEST_F(TraceFigure, AHistoriansTableIsDrawnBesideLiveValuesAndItsFlawsAreSaid) {
+    write(folder.filePath("plant.csv"),
+          "\xEF\xBB\xBFTimestamp;TagName;Value\n2026-03-01T06:00:00.000+01:00;Level;1,25\n"
+          "2026-03-01T06:00:00.000+01:00;Flow;7\n2026-03-01T06:00:01.000+01:00;Level;Bad\n"
+          "2026-03-01T06:00:02.000+01:00;Level;2,5\n");
+    show({"Main.ramp"}, FigureKind::None);
+    QSignalSpy noted(&view, &TraceView::noted);
+    view.addChannelOf(folder.filePath("plant.csv"), "Level");
+    const auto& curves = view.plot()->model().curves;
+    ASSERT_EQ(curves.size(), 2U);
+    ASSERT_TRUE(curves[1].source) << curves[1].problem.toStdString();
+    EXPECT_EQ(curves[1].source->inForceAt(500 * Ms)->value, 1.25);
+    EXPECT_EQ(curves[1].source->inForceAt(2500 * Ms)->value, 2.5);
+    EXPECT_EQ(curves[0].source->inForceAt(2 * S)->value, 20);
+    ASSERT_EQ(noted.size(), 1);
+    EXPECT_TRUE(noted[0][0].toString().startsWith("plant.csv: Column Level: 1 cell is not a number"));
 }
 
 TEST_F(TraceFigure, MeasuredValuesAreDrawnBesideLiveOnes) {
