@@ -336,8 +336,52 @@ TEST_F(TraceFigure, DraggingTheRulerMeasuresFromSampleToSample) {
     EXPECT_NEAR(double(ruler.toTime - ruler.fromTime) / 1e9, 4, 0.1);
     EXPECT_NEAR((ruler.toValue - ruler.fromValue) / (double(ruler.toTime - ruler.fromTime) / 1e9), 10, 0.01);
     EXPECT_TRUE(plc::plot::rulerText(ruler).contains("Δt")) << plc::plot::rulerText(ruler).toStdString();
+    QTest::mouseClick(plot, Qt::LeftButton, {}, at(3 * S)); // measures nothing
+    EXPECT_FALSE(plot->model().ruler);
+    QTest::mousePress(plot, Qt::LeftButton, {}, at(2 * S));
+    QTest::mouseMove(plot, at(6 * S));
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, at(6 * S));
+    ASSERT_TRUE(plot->model().ruler);
     QTest::keyClick(plot, Qt::Key_Escape);
     EXPECT_FALSE(plot->model().ruler);
+}
+
+TEST(FigureRoom, ALowDockIsNeverLeftEmpty) {
+    plc::plot::Figure figure;
+    for (const char* name : {"gain", "phase", "coherence"})
+        figure.charts.push_back({name, "Frequency [Hz]", {{"a", {0, 1}, {0, 1}, 0, {}}}, {}, false});
+    struct Row {
+        double width, height;
+        size_t shown;
+    };
+    // as the dock is in a window of 1600 x 1000 at first, narrower, lower, high
+    for (const auto& [width, height, shown] :
+         {Row{400, 189, 3}, Row{300, 189, 2}, Row{200, 120, 1}, Row{400, 90, 3}, Row{400, 600, 3}}) {
+        size_t seen = 0;
+        for (const auto& frame : framesOf(figure, QRectF(0, 0, width, height), qApp->font(), {}))
+            seen += frame.area.height() >= 24 && frame.area.width() >= 60;
+        EXPECT_EQ(seen, shown) << width << " x " << height;
+    }
+}
+
+TEST(FigureLegend, ALongNameDoesNotHideTheOthers) {
+    plc::waveform::Chart chart{"XY plot", "x", {}, {}, false};
+    for (const char* name : {"Set point", "Valve", "DERIVATIVE(FILTER(IO.Temperature - IO.SetPoint, T#1s))"})
+        chart.curves.push_back({name, {0, 1}, {0, 1}, 0, plc::waveform::CurveStyle::Line});
+    const plc::plot::Figure figure{{chart}, {}};
+    const QFont font = qApp->font();
+    const QFontMetricsF metrics(font);
+    for (const double width : {340.0, 600.0, 1600.0}) {
+        const auto frame = framesOf(figure, QRectF(0, 0, width, 200), font, {}).front();
+        const auto names = legendOf(chart, frame, font);
+        ASSERT_EQ(names.size(), 3U) << width;
+        EXPECT_EQ(names[1].text, "Valve") << width;
+        double used = 0;
+        for (const auto& name : names) used += metrics.horizontalAdvance(name.text);
+        EXPECT_LT(used, 0.65 * width) << width;
+        EXPECT_EQ(names[2].text == "DERIVATIVE(FILTER(IO.Temperature - IO.SetPoint, T#1s))", width > 1000) << width;
+        EXPECT_FALSE(names[2].text.isEmpty()) << width;
+    }
 }
 
 TEST_F(TraceFigure, EveryKindHasRoomInASmallWindow) {
