@@ -7008,11 +7008,11 @@
     </message>
     <message>
         <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
-        <translation>{0} {0:fila tiene|filas tienen} menos celdas que el encabezado, la primera en la línea {1}; se conservan los valores anteriores</translation>
+        <translation>{0} {0:fila tiene|filas tienen} menos celdas que la cabecera, la primera en la línea {1}; se conservan los valores anteriores</translation>
     </message>
     <message>
         <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
-        <translation>{0} {0:fila tiene|filas tienen} más celdas que el encabezado, la primera en la línea {1}; las celdas sobrantes se ignoran. Ponga entre comillas los números con coma decimal</translation>
+        <translation>{0} {0:fila tiene|filas tienen} más celdas que la cabecera, la primera en la línea {1}; las celdas sobrantes se ignoran. Ponga entre comillas los números con coma</translation>
     </message>
     <message>
         <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>

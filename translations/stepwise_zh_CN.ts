@@ -7006,11 +7006,11 @@
     </message>
     <message>
         <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
-        <translation>{0} 行的单元格少于标题行，第一行为第 {1} 行；保留其上方的值</translation>
+        <translation>{0} 行的单元格少于表头，第一行为第 {1} 行；保留其上方的值</translation>
     </message>
     <message>
         <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
-        <translation>{0} 行的单元格多于标题行，第一行为第 {1} 行；多余的单元格被忽略。请将带小数逗号的数字放在引号中</translation>
+        <translation>{0} 行的单元格多于表头，第一行为第 {1} 行；多余的单元格被忽略。请将带小数逗号的数字放在引号中</translation>
     </message>
     <message>
         <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>

@@ -109,7 +109,7 @@ signals:
     void whyRequested(plc::kit::AskWhy question, const QString& expression, std::optional<plc::trace::Position> at);
     void failed(const QString& message);
     void noted(const QString& message); // of a file that was opened all the same
-    void recordingShown(); // another one is drawn: a file's, or the running one again
+    void recordingShown();              // another one is drawn: a file's, or the running one again
 
 protected:
     void showEvent(QShowEvent* event) override;
