@@ -349,7 +349,7 @@ TEST_F(TraceFigure, DraggingTheRulerMeasuresFromSampleToSample) {
 TEST(FigureRoom, ALowDockIsNeverLeftEmpty) {
     plc::plot::Figure figure;
     for (const char* name : {"gain", "phase", "coherence"})
-        figure.charts.push_back({name, "Frequency [Hz]", {{"a", {0, 1}, {0, 1}, 0, {}}}, {}, false});
+        figure.charts.push_back({name, "Frequency [Hz]", "", {{"a", {0, 1}, {0, 1}, 0}}, false});
     struct Row {
         double width, height;
         size_t shown;
