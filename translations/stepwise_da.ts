@@ -7023,6 +7023,22 @@
         <translation>Filen er ikke en tabel; en optagelse fra Stepwise ender på .rec</translation>
     </message>
     <message>
+        <source>Column {0}: {1} {1:cell is not a number|cells are not numbers}, the first ({2}) in line {3}; the value above it is kept</source>
+        <translation>Kolonne {0}: {1} {1:celle er ikke et tal|celler er ikke tal}, den første ({2}) i linje {3}; værdien ovenover gælder fortsat</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
+        <translation>{0} {0:række har|rækker har} færre celler end overskriften, den første i linje {1}; værdierne ovenover gælder fortsat</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
+        <translation>{0} {0:række har|rækker har} flere celler end overskriften, den første i linje {1}; de overskydende celler ignoreres. Sæt tal med decimalkomma i anførselstegn</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>
+        <translation>{0} {0:række har|rækker har} samme tid som rækken ovenover, den første i linje {1}; {0:den|de} udelades</translation>
+    </message>
+    <message>
         <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
         <translation>Linje {0} er ikke et målepunkt for en variabel: den skal have en tid og en værdi</translation>
     </message>

@@ -7023,6 +7023,22 @@
         <translation>Die Datei ist keine Tabelle; eine Aufzeichnung von Stepwise endet auf .rec</translation>
     </message>
     <message>
+        <source>Column {0}: {1} {1:cell is not a number|cells are not numbers}, the first ({2}) in line {3}; the value above it is kept</source>
+        <translation>Spalte {0}: {1} {1:Zelle ist keine Zahl|Zellen sind keine Zahlen}, die erste ({2}) in Zeile {3}; der Wert darüber gilt weiter</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
+        <translation>{0} {0:Zeile hat|Zeilen haben} weniger Zellen als die Kopfzeile, die erste ist Zeile {1}; die Werte darüber gelten weiter</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
+        <translation>{0} {0:Zeile hat|Zeilen haben} mehr Zellen als die Kopfzeile, die erste ist Zeile {1}; die überzähligen Zellen werden ignoriert. Setzen Sie Zahlen mit Dezimalkomma in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>
+        <translation>{0} {0:Zeile hat|Zeilen haben} dieselbe Zeit wie die Zeile darüber, die erste ist Zeile {1}; {0:sie wird|sie werden} ausgelassen</translation>
+    </message>
+    <message>
         <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
         <translation>Zeile {0} ist kein Abtastwert einer Variablen: Sie braucht eine Zeit und einen Wert</translation>
     </message>

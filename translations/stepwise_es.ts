@@ -7023,6 +7023,22 @@
         <translation>El archivo no es una tabla; una grabación de Stepwise termina en .rec</translation>
     </message>
     <message>
+        <source>Column {0}: {1} {1:cell is not a number|cells are not numbers}, the first ({2}) in line {3}; the value above it is kept</source>
+        <translation>Columna {0}: {1} {1:celda no es un número|celdas no son números}, la primera ({2}) en la línea {3}; se conserva el valor anterior</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
+        <translation>{0} {0:fila tiene|filas tienen} menos celdas que la cabecera, la primera en la línea {1}; se conservan los valores anteriores</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
+        <translation>{0} {0:fila tiene|filas tienen} más celdas que la cabecera, la primera en la línea {1}; las celdas sobrantes se ignoran. Ponga entre comillas los números con coma</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>
+        <translation>{0} {0:fila tiene|filas tienen} el mismo tiempo que la fila anterior, la primera en la línea {1}; se {0:omite|omiten}</translation>
+    </message>
+    <message>
         <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
         <translation>La línea {0} no es una muestra de una variable: necesita un tiempo y un valor</translation>
     </message>

@@ -7023,6 +7023,22 @@
         <translation>Le fichier n’est pas un tableau&#x202f;; un enregistrement de Stepwise se termine par .rec</translation>
     </message>
     <message>
+        <source>Column {0}: {1} {1:cell is not a number|cells are not numbers}, the first ({2}) in line {3}; the value above it is kept</source>
+        <translation>Colonne {0}&#xa0;: {1} {1:cellule n’est pas un nombre|cellules ne sont pas des nombres}, la première ({2}) à la ligne {3}&#x202f;; la valeur précédente est conservée</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
+        <translation>{0} {0:ligne a|lignes ont} moins de cellules que l’en-tête, la première est la ligne {1}&#x202f;; les valeurs précédentes sont conservées</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
+        <translation>{0} {0:ligne a|lignes ont} plus de cellules que l’en-tête, la première est la ligne {1}&#x202f;; les cellules en trop sont ignorées. Mettez les nombres à virgule décimale entre guillemets</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>
+        <translation>{0} {0:ligne a|lignes ont} le même temps que la ligne précédente, la première est la ligne {1}&#x202f;; {0:elle est omise|elles sont omises}</translation>
+    </message>
+    <message>
         <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
         <translation>La ligne {0} n’est pas un échantillon d’une variable&#xa0;: il lui faut un temps et une valeur</translation>
     </message>

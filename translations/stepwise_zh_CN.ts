@@ -7021,6 +7021,22 @@
         <translation>文件不是表格；Stepwise 的记录以 .rec 结尾</translation>
     </message>
     <message>
+        <source>Column {0}: {1} {1:cell is not a number|cells are not numbers}, the first ({2}) in line {3}; the value above it is kept</source>
+        <translation>列 {0}：{1} 个单元格不是数字，第一个（{2}）在第 {3} 行；保留其上方的值</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} fewer cells than the header, the first in line {1}; the values above are kept</source>
+        <translation>{0} 行的单元格少于表头，第一行为第 {1} 行；保留其上方的值</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} more cells than the header, the first in line {1}; the surplus cells are ignored. Put numbers with a decimal comma in quotes</source>
+        <translation>{0} 行的单元格多于表头，第一行为第 {1} 行；多余的单元格被忽略。请将带小数逗号的数字放在引号中</translation>
+    </message>
+    <message>
+        <source>{0} {0:row has|rows have} the same time as the row above, the first in line {1}; {0:it is|they are} left out</source>
+        <translation>{0} 行的时间与上一行相同，第一行为第 {1} 行；已忽略</translation>
+    </message>
+    <message>
         <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
         <translation>第 {0} 行不是变量的采样值：需要时间和值</translation>
     </message>

@@ -79,6 +79,7 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
     connect(m_trace, &trace::TraceView::recordingShown, this, &LiveViews::recordingShown);
     connect(&control, &editor::RunControl::recordedMustClose, this, &LiveViews::closeRecording);
     connect(m_trace, &trace::TraceView::failed, this, [this](const QString& text) { emit message(text, true); });
+    connect(m_trace, &trace::TraceView::noted, this, [this](const QString& text) { emit message(text, false); });
     m_complete = editor::pathCompletions(workspace);
     m_slider->setCompletionSource(m_complete);
     connect(&workspace, &editor::Workspace::analysed, this,

@@ -119,7 +119,7 @@ void RunControl::build(std::function<void(bool)> then) {
         for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
             errors += d.severity == diagnostics::Severity::Error;
         const bool isElsewhere = m_session && m_session->isMirror(); // a build is no reason to leave it
-        if (good && !isElsewhere) adopt(built, false);
+        if (good && !isElsewhere) adopt(built);
         emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
                                  : !built->failure.isEmpty()
                                      ? kit::messageText(built->failure)
@@ -149,20 +149,20 @@ void RunControl::watchOptimising(std::shared_ptr<Progress> now) {
     if (m_optimising) emit workBegan(tr("Optimising"), m_optimising);
 }
 
-void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning) {
-    if (changeRunning && m_session) {
-        m_session->changeProgram(
-            *built,
-            [this](const controller::OnlineChangeReport& report) {
-                const QString summary = tr("Online change: %1 kept, %2 new, %3 lost")
-                                            .arg(report.kept.size())
-                                            .arg(report.initialised.size())
-                                            .arg(report.lost.size());
-                kit::post(this, [this, summary] { emit onlineChangeFinished(summary); });
-            },
-            breakpointsFor(*built->program));
-        return;
-    }
+void RunControl::change(const driver::Built& built, const WritesFor& writes) {
+    m_session->changeProgram(
+        built,
+        [this](const controller::OnlineChangeReport& report) {
+            const QString summary = tr("Online change: %1 kept, %2 new, %3 lost")
+                                        .arg(report.kept.size())
+                                        .arg(report.initialised.size())
+                                        .arg(report.lost.size());
+            kit::post(this, [this, summary] { emit onlineChangeFinished(summary); });
+        },
+        breakpointsFor(*built.program), writes ? writes(*built.program) : session::Together());
+}
+
+void RunControl::adopt(std::shared_ptr<driver::Built> built) {
     (void)m_shown.view(std::nullopt);
     session::Settings settings;
     settings.historyBudget = m_historyBudget;
@@ -335,11 +335,14 @@ void RunControl::runTo(const QString& file, int line) {
     startThen(true, go);
 }
 
-void RunControl::onlineChange() {
+void RunControl::onlineChange(WritesFor writes) {
     if (!isRunning()) return start();
     if (m_building) return;
-    buildAside([this](const std::shared_ptr<driver::Built>& built) {
-        if (built->program) adopt(built, true);
+    buildAside([this, writes = std::move(writes)](const std::shared_ptr<driver::Built>& built) {
+        if (built->program && m_session)
+            change(*built, writes);
+        else if (built->program)
+            adopt(built); // it was let go meanwhile
         emit buildFinished(built->program != nullptr,
                            built->program
                                ? tr("The change waits for the end of the scan")

@@ -69,7 +69,9 @@ public:
     void step(session::Step kind);
     void runTo(const QString& file, int line);
     void reset(controller::ResetKind kind);
-    void onlineChange(); // the edited program enters the running controller
+    /// Values that enter with another program; found when it is built.
+    using WritesFor = std::function<session::Together(const image::CompiledProgram&)>;
+    void onlineChange(WritesFor writes = {}); // the edited program enters the running controller
     void setMode(session::RunMode mode);
     [[nodiscard]] session::RunMode mode() const { return m_mode; }
     void disconnectSession(); // project closes
@@ -155,7 +157,8 @@ private:
     /// Builds on a thread of its own; `then` comes back to this one, unless it was cancelled.
     void buildAside(std::function<void(std::shared_ptr<driver::Built>)> then);
     void watchOptimising(std::shared_ptr<Progress> now);
-    void adopt(std::shared_ptr<driver::Built> built, bool changeRunning);
+    void adopt(std::shared_ptr<driver::Built> built);
+    void change(const driver::Built& built, const WritesFor& writes);
     void postBreakpoints();
     std::vector<session::Breakpoint> breakpointsFor(const image::CompiledProgram& program);
     void startThen(bool paused, std::function<void()> then);

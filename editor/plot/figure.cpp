@@ -188,25 +188,23 @@ void paintNotes(QPainter& painter, const Chart& chart, const FigureFrame& frame,
     }
 }
 
+constexpr double kLegendSample = 30; // the line before a name, and the space between
+
 void paintHead(QPainter& painter, const Chart& chart, const FigureFrame& frame, const QFont& font) {
     const QRectF& rect = frame.place;
     const kit::ThemeColors& colors = kit::colors();
     const QFontMetricsF metrics(font);
     const double base = frame.area.top() - 5 - metrics.descent();
-    constexpr size_t kMostNames = 12;
+    const std::vector<FigureName> names = legendOf(chart, frame, font);
     double right = frame.area.right();
-    size_t shown = 0;
-    for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
-        if (curve->name.empty()) continue;
-        const QString name = kit::fromView(curve->name);
-        const double width = metrics.horizontalAdvance(name);
-        if (right - width - 30 < rect.left() + rect.width() * 0.35 || ++shown > kMostNames) break;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        const double width = metrics.horizontalAdvance(name->text);
         painter.setPen(colors.text);
-        painter.drawText(QPointF(right - width, base), name);
-        painter.setPen(QPen(colourOf(*curve), 2));
+        painter.drawText(QPointF(right - width, base), name->text);
+        painter.setPen(QPen(colourOf(chart.curves[name->curve]), 2));
         const double middle = base - metrics.ascent() / 2 + 1;
         painter.drawLine(QPointF(right - width - 18, middle), QPointF(right - width - 5, middle));
-        right -= width + 30;
+        right -= width + kLegendSample;
     }
     QFont bold = font;
     bold.setBold(true);
@@ -237,6 +235,28 @@ bool Figure::isEmpty() const {
     return true;
 }
 
+std::vector<FigureName> legendOf(const Chart& chart, const FigureFrame& frame, const QFont& font) {
+    constexpr size_t kMostNames = 12;
+    constexpr double kLeastWidth = 36, kTitle = 0.35; // of a name; share of the width that the title keeps
+    const QFontMetricsF metrics(font);
+    std::vector<FigureName> out;
+    for (size_t i = 0; i < chart.curves.size() && out.size() < kMostNames; ++i)
+        if (!chart.curves[i].name.empty()) out.push_back({i, kit::fromView(chart.curves[i].name)});
+    const double room = frame.area.right() - frame.place.left() - frame.place.width() * kTitle;
+    const auto widthWith = [&](double most) {
+        double width = 0;
+        for (const FigureName& name : out)
+            width += std::min(metrics.horizontalAdvance(name.text), most) + kLegendSample;
+        return width;
+    };
+    while (!out.empty() && widthWith(kLeastWidth) > room) out.pop_back();
+    // the long names give way, so that one of them does not hide the others
+    double most = room;
+    while (most > kLeastWidth && widthWith(most) > room) most = std::max(most - 4, kLeastWidth);
+    for (FigureName& name : out) name.text = metrics.elidedText(name.text, Qt::ElideMiddle, most);
+    return out;
+}
+
 double FigureFrame::xOf(double value) const { return area.left() + shareOf(value, x, isLogarithmicX) * area.width(); }
 double FigureFrame::yOf(double value) const {
     return area.bottom() - shareOf(value, y, isLogarithmicY) * area.height();
@@ -246,24 +266,45 @@ double FigureFrame::yAt(double pixel) const {
     return valueOf((area.bottom() - pixel) / area.height(), y, isLogarithmicY);
 }
 
+namespace {
+
+/// How the charts share the place: one above the other, or side by side where that is low and wide. Where there is room
+/// for neither, the last ones are not shown.
+struct Sharing {
+    size_t count = 1; // of those that are shown
+    double each = 0;  // height of a chart
+    bool isBeside = false;
+};
+
+/// Charts one above the other share the title of their axis.
+bool hasTitle(const Figure& figure, size_t i, size_t count) {
+    return i + 1 == count || figure.charts[i].xTitle != figure.charts[i + 1].xTitle;
+}
+
+Sharing sharingOf(const Figure& figure, const QRectF& rect, double head, double ticks, double title) {
+    constexpr double kLeastHeight = 36, kLeastWidth = 120;
+    for (size_t count = figure.charts.size(); count > 1; --count) {
+        double titles = 0;
+        for (size_t i = 0; i < count; ++i) titles += hasTitle(figure, i, count) ? title : 0;
+        const double each = (rect.height() - titles) / static_cast<double>(count) - head - ticks;
+        if (each >= kLeastHeight) return {count, each, false};
+        const double beside = rect.height() - head - ticks - title;
+        if (beside >= kLeastHeight && rect.width() / static_cast<double>(count) >= kLeastWidth)
+            return {count, beside, true};
+    }
+    return {1, rect.height() - head - ticks - title, false};
+}
+
+} // namespace
+
 std::vector<FigureFrame> framesOf(const Figure& figure, const QRectF& rect, const QFont& font, const FigureZoom& zoom) {
     std::vector<FigureFrame> out;
     const QFontMetricsF metrics(font);
-    const size_t count = std::max<size_t>(figure.charts.size(), 1);
     const double head = metrics.height() + 10, ticks = metrics.height() + 6, title = metrics.height() + 2;
-    // charts one above the other share the title of their axis
-    const auto hasTitle = [&](size_t i) {
-        return i + 1 == figure.charts.size() || figure.charts[i].xTitle != figure.charts[i + 1].xTitle;
-    };
-    double titles = 0, top = rect.top();
-    for (size_t i = 0; i < figure.charts.size(); ++i) titles += hasTitle(i) ? title : 0;
-    double each = (rect.height() - titles) / static_cast<double>(count) - head - ticks;
-    // a low and wide place has room for them side by side
-    constexpr double kLeastHeight = 36, kLeastWidth = 140;
-    const bool isBeside = count > 1 && each < kLeastHeight && rect.width() / static_cast<double>(count) >= kLeastWidth;
-    if (isBeside) each = rect.height() - head - ticks - title;
+    const auto [count, each, isBeside] = sharingOf(figure, rect, head, ticks, title);
+    double top = rect.top();
     const double wide = isBeside ? rect.width() / static_cast<double>(count) : rect.width();
-    double widest = 0;
+    std::vector<double> widest;
     for (size_t i = 0; i < figure.charts.size(); ++i) {
         const Chart& chart = figure.charts[i];
         FigureFrame frame;
@@ -273,16 +314,21 @@ std::vector<FigureFrame> framesOf(const Figure& figure, const QRectF& rect, cons
         frame.isLogarithmicY = chart.isLogarithmicY && frame.y.low > 0;
         if (zoom.x) frame.x = *zoom.x;
         if (i < zoom.y.size() && zoom.y[i]) frame.y = *zoom.y[i];
-        frame.hasTitleX = isBeside || hasTitle(i);
+        frame.hasTitleX = isBeside || hasTitle(figure, i, count);
         frame.place = QRectF(rect.left() + (isBeside ? wide * static_cast<double>(i) : 0), top, wide, 0);
         frame.area = QRectF(frame.place.left(), top + head, wide, std::max(each, 1.0));
+        if (i >= count) frame.place = frame.area = QRectF(rect.left(), rect.bottom(), 0, 0);
         if (!isBeside) top += head + each + ticks + (frame.hasTitleX ? title : 0);
+        widest.push_back(0);
         for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 24, 3)))
-            widest = std::max(widest, metrics.horizontalAdvance(tick.label));
+            widest.back() = std::max(widest.back(), metrics.horizontalAdvance(tick.label));
         out.push_back(frame);
     }
-    for (FigureFrame& frame : out) { // their left edges in line
-        frame.area.setLeft(std::round(frame.place.left() + widest + 2 * kPad));
+    if (!isBeside && count > 0 && !widest.empty()) // their left edges in line
+        widest.assign(widest.size(), *std::max_element(widest.begin(), widest.end()));
+    for (size_t i = 0; i < std::min(count, out.size()); ++i) {
+        FigureFrame& frame = out[i];
+        frame.area.setLeft(std::round(frame.place.left() + widest[i] + 2 * kPad));
         frame.area.setRight(std::max(frame.place.right() - 2 * kPad, frame.area.left() + 1));
     }
     return out;

@@ -53,6 +53,14 @@ struct FigureRuler {
                                                 const FigureZoom& zoom);
 void paintFigure(QPainter& painter, const Figure& figure, const QRectF& rect, const QFont& font,
                  const FigureZoom& zoom = {}, const std::optional<FigureRuler>& ruler = std::nullopt);
+/// A curve's name above its chart.
+struct FigureName {
+    size_t curve = 0;
+    QString text; // shortened where there is little room
+};
+/// As many as find room beside the title.
+[[nodiscard]] std::vector<FigureName> legendOf(const waveform::Chart& chart, const FigureFrame& frame,
+                                               const QFont& font);
 /// The sample nearest to a place on the paper, of any curve within reach.
 [[nodiscard]] std::optional<FigurePoint> nearestPoint(const Figure& figure, const std::vector<FigureFrame>& frames,
                                                       const QPointF& place, double reach);

@@ -118,8 +118,10 @@ void FigureView::mouseMoveEvent(QMouseEvent* event) {
     update();
 }
 
-void FigureView::mouseReleaseEvent(QMouseEvent*) {
+void FigureView::mouseReleaseEvent(QMouseEvent* event) {
     const Drag drag = std::exchange(m_drag, Drag::None);
+    constexpr double kClick = 6; // it measures nothing
+    if (drag == Drag::Ruler && (event->position() - m_dragFrom).manhattanLength() < kClick) m_ruler.reset();
     if (drag == Drag::Box) zoomTo(QRectF(m_dragFrom, m_dragAt).normalized());
     update();
 }

@@ -439,6 +439,8 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
 void PlotView::mouseReleaseEvent(QMouseEvent*) {
     const Drag drag = std::exchange(m_drag, Drag::None);
     if (drag == Drag::Box) applyBox(boxNow());
+    // a click measures nothing
+    if (drag == Drag::Ruler && (m_dragAt - m_dragFrom).manhattanLength() < BoxReach) m_model.ruler.reset();
     unsetCursor();
     update();
 }

@@ -84,7 +84,9 @@ Json requestOf(const session::Order& order, const image::CompiledProgram& progra
     case OrderKind::ResetStatistics:
         return {{"do", "reset_statistics"}};
     case OrderKind::ChangeProgram:
-        return {{"do", "change"}, {"sources", remote::sourcesJson(*order.built->input)}};
+        return {{"do", "change"},
+                {"sources", remote::sourcesJson(*order.built->input)},
+                {"values", valuesJson(*order.built->program->layout.types, order.values)}};
     case OrderKind::SetBreakpoints:
         if (order.breakpoints.empty() && !mayHalt) return {}; // there can be none
         return {{"do", "breakpoints"}, {"places", placesJson(program, order.breakpoints)}};

@@ -108,7 +108,8 @@ signals:
     /// Of a channel, at the cursor where cursors are shown, else at the scan the windows show.
     void whyRequested(plc::kit::AskWhy question, const QString& expression, std::optional<plc::trace::Position> at);
     void failed(const QString& message);
-    void recordingShown(); // another one is drawn: a file's, or the running one again
+    void noted(const QString& message); // of a file that was opened all the same
+    void recordingShown();              // another one is drawn: a file's, or the running one again
 
 protected:
     void showEvent(QShowEvent* event) override;

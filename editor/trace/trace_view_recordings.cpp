@@ -25,6 +25,9 @@ Result<std::shared_ptr<RunRecording>> TraceView::readFile(const QString& path) {
             opened = RunRecording::open(path.toStdString(), &progress);
         });
     if (!isDone) return std::shared_ptr<RunRecording>();
+    if (opened)
+        for (const Message& note : (*opened)->notes())
+            emit noted(QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), kit::messageText(note)));
     return opened;
 }
 

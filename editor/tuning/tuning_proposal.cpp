@@ -215,6 +215,8 @@ Result<loops::TrialRun> TuningView::trialOf(const tuning::FoundStep& step, const
     auto plan = loops::planFor(m_finding->loop, run.history(), from, to);
     if (!plan) return plan.error();
     plan->writes = writes();
+    for (loops::ParameterWrite& write : loops::bumplessWrites(m_finding->loop, *m_finding->program))
+        plan->writes.push_back(std::move(write));
     if (const auto edits = constantEdits(); !edits.empty()) {
         if (!m_finding->input) return Error{loops::errors::ConstantsOfRecording(), ""};
         auto changed = loops::withConstants(*m_finding->input, m_finding->program, edits);
@@ -277,55 +279,46 @@ QStringList described(const std::vector<loops::ConstantEdit>& edits) {
 }
 } // namespace
 
-/// All before one scan, with what lets the output continue from where it is.
-bool TuningView::writeTogether(std::vector<loops::ParameterWrite> wanted, const Parameters& parameters) {
-    session::Session* session = m_control.session();
-    for (loops::ParameterWrite& write :
-         loops::bumplessWrites(parameters.loop, *session->program(), session->snapshot(), parameters.values))
-        wanted.push_back(std::move(write));
-    std::vector<session::Assignment> values;
+/// As a version of the program holds them, with what lets the output go on from where it is.
+Result<session::Together> TuningView::together(std::vector<loops::ParameterWrite> wanted, const loops::Loop& loop,
+                                               const image::CompiledProgram& program) {
+    for (loops::ParameterWrite& write : loops::bumplessWrites(loop, program)) wanted.push_back(std::move(write));
+    session::Together out{{}, tr("Tuning").toStdString()};
     for (const loops::ParameterWrite& write : wanted) {
-        const auto value = loops::valueFor(*session->program(), write.path, write.value);
-        if (!value) {
-            emit message(kit::messageText(value.error()), true);
-            return false;
-        }
-        values.push_back({write.path, *value});
+        auto value = loops::valueFor(program, write.path, write.value);
+        if (!value) return value.error();
+        out.values.push_back({write.path, std::move(*value)});
     }
-    if (!values.empty()) session->writeTogether(std::move(values), tr("Tuning").toStdString());
-    return true;
+    return out;
 }
 
-/// All of them before one scan; those that are constants in the text follow as an online change.
+/// All of them before one scan; where some are constants in the text, before the first scan of the changed program.
 bool TuningView::put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits,
-                     const Parameters& parameters) {
-    if (!edits.empty() && !m_control.isUpToDate()) {
+                     const loops::Loop& loop) {
+    if (wanted.empty() && edits.empty()) return true; // it is as it shall be
+    if (!edits.empty() && (!m_control.isUpToDate() || m_control.isBuilding())) {
         emit message(tr("The text was changed since the controller was started: change the constants after the next "
                         "start or online change."),
                      true);
         return false;
     }
-    Parameters changed{parameters.loop,
-                       loops::writable(parameters.loop, m_control.session()->program(), parameters.values)};
-    if (!wanted.empty() && !writeTogether(wanted, changed)) return false;
-    if (edits.empty()) return true;
+    session::Session* session = m_control.session();
+    auto values = together(wanted, loop, *session->program());
+    if (!values) {
+        emit message(kit::messageText(values.error()), true);
+        return false;
+    }
+    const bool isChange = !edits.empty() && m_control.isRunning();
+    if (!isChange && !wanted.empty()) session->writeTogether(std::move(values->values), values->origin);
     std::map<QString, std::vector<diagnostics::TextEdit>> byFile;
     for (const loops::ConstantEdit& edit : edits)
         byFile[kit::fromView(edit.place.file)].push_back({edit.place.range, edit.text});
-    emit textEdits(byFile);
-    if (!m_control.isRunning()) return true;
-    for (const tuning::ParameterValue& value : parameters.values)
-        if (std::any_of(edits.begin(), edits.end(),
-                        [&](const loops::ConstantEdit& edit) { return edit.place.member == value.member; }))
-            changed.values.push_back(value);
-    // reported when the new program waits for the end of the scan: both enter before the same one
-    connect(
-        &m_control, &RunControl::buildFinished, this,
-        [this, changed](bool isGood) {
-            if (isGood && m_control.session()) (void)writeTogether({}, changed);
-        },
-        Qt::SingleShotConnection);
-    m_control.onlineChange();
+    if (!byFile.empty()) emit textEdits(byFile);
+    if (isChange)
+        m_control.onlineChange([wanted, loop](const image::CompiledProgram& program) {
+            auto values = together(wanted, loop, program);
+            return values ? std::move(*values) : session::Together();
+        });
     return true;
 }
 
@@ -364,7 +357,7 @@ void TuningView::writeParameters() {
         replaced.values.push_back({std::string(form.member), {}, value * (isMilliseconds ? 1e-3 : 1), false});
     }
     const Parameters written{m_finding->loop, m_parameters};
-    if (!put(wanted, edits, written)) return;
+    if (!put(wanted, edits, m_finding->loop)) return;
     m_before = std::move(before);
     m_replaced = std::move(replaced);
     m_edited.reset();
@@ -384,7 +377,7 @@ void TuningView::takeBack() {
     const std::vector<loops::ConstantEdit> edits =
         m_edited ? loops::editsFor(m_edited->loop, session->program(), m_edited->before)
                  : std::vector<loops::ConstantEdit>();
-    if (!put(m_before, edits, *m_replaced)) return;
+    if (!put(m_before, edits, m_replaced->loop)) return;
     emit message(tr("Taken back: %1").arg((described(m_before) + described(edits)).join(QStringLiteral(", "))), false);
     const Parameters replaced = *m_replaced;
     m_before.clear();

@@ -80,11 +80,12 @@ private:
         loops::Loop loop;
         std::vector<tuning::ParameterValue> values;
     };
+    static Result<session::Together> together(std::vector<loops::ParameterWrite> wanted, const loops::Loop& loop,
+                                              const image::CompiledProgram& program);
     bool put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits,
-             const Parameters& parameters);
+             const loops::Loop& loop);
     /// They are in force now: the comparison starts from them.
     void takeOver(const Parameters& parameters);
-    bool writeTogether(std::vector<loops::ParameterWrite> wanted, const Parameters& parameters);
     void refreshButtons();
     [[nodiscard]] std::optional<loops::Loop> chosenLoop() const;
     [[nodiscard]] tuning::Wish wish() const;

@@ -285,51 +285,11 @@ std::vector<ParameterWrite> writesOf(const Loop& loop, const ProgramPointer& pro
     return out;
 }
 
-std::vector<tuning::ParameterValue> writable(const Loop& loop, const ProgramPointer& program,
-                                             std::vector<tuning::ParameterValue> parameters) {
-    const std::vector<Target> targets = targetsOf(loop, program);
-    std::erase_if(parameters, [&](const tuning::ParameterValue& value) {
-        return std::none_of(targets.begin(), targets.end(), [&](const Target& target) {
-            return target.member == value.member && !target.path.empty();
-        });
-    });
-    return parameters;
-}
-
-namespace {
-
-/// Of these parameters and, where one is not among them, of the image.
-double valueOf(const Loop& loop, const image::CompiledProgram& program, std::span<const std::byte> image,
-               const std::vector<tuning::ParameterValue>& parameters, tuning::Quantity quantity) {
-    for (size_t i = 0; i < loop.form->parameters.size(); ++i) {
-        const tuning::ParameterForm& form = loop.form->parameters[i];
-        if (form.quantity != quantity) continue;
-        for (const tuning::ParameterValue& one : parameters)
-            if (one.member == form.member) return one.value;
-        return numberAt(program, image, loop.pin(form.member)).value_or(0);
-    }
-    return 0;
-}
-
-} // namespace
-
-std::vector<ParameterWrite> bumplessWrites(const Loop& loop, const image::CompiledProgram& program,
-                                           std::span<const std::byte> image,
-                                           const std::vector<tuning::ParameterValue>& parameters) {
-    const tuning::BlockForm& form = *loop.form;
-    if (parameters.empty()) return {};
-    if (!form.resumes.empty() && program.layout.find(loop.pin(form.resumes))) return {{loop.pin(form.resumes), 1}};
-    if (form.errorSum.empty()) return {};
-    const auto wanted = [&](tuning::Quantity quantity) { return valueOf(loop, program, image, parameters, quantity); };
-    const double gain = wanted(tuning::Quantity::Gain), time = wanted(tuning::Quantity::IntegralTime);
-    const auto output = numberAt(program, image, loop.pin(form.input));
-    const auto actual = numberAt(program, image, loop.pin(form.output));
-    const auto setPoint = numberAt(program, image, loop.pin(form.setPoint));
-    if (gain == 0 || time <= 0 || !output || !actual || !setPoint) return {};
-    const double error = form.isReversed ? *actual - *setPoint : *setPoint - *actual;
-    const double slope = numberAt(program, image, loop.pin(form.errorSlope)).value_or(0);
-    const double share = *output / gain - error - wanted(tuning::Quantity::DerivativeTime) * slope;
-    return {{loop.pin(form.errorSum), time * share}};
+std::vector<ParameterWrite> bumplessWrites(const Loop& loop, const image::CompiledProgram& program) {
+    if (loop.form->resumes.empty()) return {};
+    const std::string path = loop.pin(loop.form->resumes);
+    if (!program.layout.find(path)) return {}; // of a recording with an older library
+    return {{path, 1}};
 }
 
 } // namespace plc::loops

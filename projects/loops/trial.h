@@ -19,14 +19,10 @@ struct ParameterWrite {
 [[nodiscard]] std::vector<ParameterWrite> writesOf(const Loop& loop, const ProgramPointer& program,
                                                    const std::vector<tuning::ParameterValue>& parameters,
                                                    std::vector<std::string>* missing = nullptr);
-/// Those of them that have a variable.
-[[nodiscard]] std::vector<tuning::ParameterValue> writable(const Loop& loop, const ProgramPointer& program,
-                                                           std::vector<tuning::ParameterValue> parameters);
-/// What is written together with these parameters so that the output goes on from where it is: the share of the
-/// integral is set to fit them. Nothing for a controller that has none, whose output is its error times its gain.
-[[nodiscard]] std::vector<ParameterWrite> bumplessWrites(const Loop& loop, const image::CompiledProgram& program,
-                                                         std::span<const std::byte> image,
-                                                         const std::vector<tuning::ParameterValue>& parameters);
+/// What is written in the same scan as other parameters so that the output goes on from where it is then: the block's
+/// next call fits its integral to them. Nothing for a controller that has none, whose output is its error times its
+/// gain.
+[[nodiscard]] std::vector<ParameterWrite> bumplessWrites(const Loop& loop, const image::CompiledProgram& program);
 /// The value as a variable of that type holds it.
 [[nodiscard]] Result<types::Value> valueFor(const image::CompiledProgram& program, const std::string& path,
                                             double value);

@@ -26,6 +26,18 @@ Json idOf(const Json& request) {
     return it != request.end() && it->is_number_unsigned() ? *it : Json(0);
 }
 
+/// A pair of path and text, as a program holds it.
+Result<session::Assignment> assignmentFor(const driver::Built& built, const Json& pair) {
+    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
+        return Error{errors::NotUnderstood(), {}};
+    auto path = pair[0].get<std::string>();
+    const auto place = built.program->layout.find(path);
+    if (!place) return place.error();
+    auto value = session::parseValue(built.checked, place->type, pair[1].get<std::string>(), path);
+    if (!value) return value.error();
+    return session::Assignment{std::move(path), std::move(*value)};
+}
+
 } // namespace
 
 Door::Door(session::Session& session, std::string origin, Rights rights)
@@ -169,16 +181,7 @@ Json Door::values(const Json& request) const {
     return out;
 }
 
-Result<session::Assignment> Door::assignment(const Json& pair) const {
-    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
-        return Error{errors::NotUnderstood(), {}};
-    auto path = pair[0].get<std::string>();
-    const auto place = m_session.program()->layout.find(path);
-    if (!place) return place.error();
-    auto value = session::parseValue(m_session.built().checked, place->type, pair[1].get<std::string>(), path);
-    if (!value) return value.error();
-    return session::Assignment{std::move(path), std::move(*value)};
-}
+Result<session::Assignment> Door::assignment(const Json& pair) const { return assignmentFor(m_session.built(), pair); }
 
 Json Door::write(const Json& request, bool isTogether) {
     std::vector<session::Assignment> values;
@@ -297,6 +300,7 @@ std::optional<Json> Door::change(const Json& request) {
     if (sources == request.end()) return refusal(idOf(request), errors::NotUnderstood());
     m_change.emplace();
     m_change->id = idOf(request);
+    m_change->values = request.value("values", Json::array());
     m_change->building = std::async(std::launch::async, [input = readSources(*sources)] {
         return std::make_shared<driver::Built>(driver::build(input));
     });
@@ -317,12 +321,22 @@ std::optional<Json> Door::changeIsIn() {
             });
             return refusal(id, built->failure.isEmpty() ? errors::HasErrors(errors) : built->failure);
         }
+        session::Together together{{}, m_origin};
+        for (const Json& each : m_change->values) {
+            auto one = assignmentFor(*built, each);
+            if (!one) {
+                m_change.reset();
+                return refusal(id, one.error());
+            }
+            together.values.push_back(std::move(*one));
+        }
         m_change->isPosted = true;
         m_change->entered = std::make_shared<std::promise<controller::OnlineChangeReport>>();
         m_change->report = m_change->entered->get_future();
-        m_session.changeProgram(*built, [entered = m_change->entered](const controller::OnlineChangeReport& report) {
+        const auto enters = [entered = m_change->entered](const controller::OnlineChangeReport& report) {
             entered->set_value(report);
-        });
+        };
+        m_session.changeProgram(*built, enters, std::nullopt, std::move(together));
         return {};
     }
     if (m_change->report.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};

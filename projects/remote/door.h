@@ -22,6 +22,7 @@ struct WaitingAnswer {
 };
 struct RequestedChange {
     Json id;
+    Json values; // pairs of path and text, written before the new program's first scan
     std::future<std::shared_ptr<driver::Built>> building;
     std::shared_ptr<std::promise<controller::OnlineChangeReport>> entered;
     std::future<controller::OnlineChangeReport> report;

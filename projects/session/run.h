@@ -56,6 +56,12 @@ struct Assignment {
     types::Value value;
 };
 
+/// Written before one scan, or none of them.
+struct Together {
+    std::vector<Assignment> values;
+    std::string origin;
+};
+
 class Run {
 public:
     virtual ~Run();

@@ -223,11 +223,14 @@ void Session::writeTogether(std::vector<Assignment> values, std::string origin) 
     if (m->outlet)
         return m->outlet->post(
             {.kind = OrderKind::WriteTogether, .values = std::move(values), .origin = std::move(origin)});
-    m->post(When::Now, [s = m.get(), values = std::move(values), origin = std::move(origin)] {
-        s->controller.actFor(origin);
-        if (auto done = writeAllOrNone(s->controller, values); !done) s->newRefusals.push_back(done.error());
-        s->controller.actFor({});
-    });
+    m->post(When::Now,
+            [s = m.get(), together = Together{std::move(values), std::move(origin)}] { s->writeNow(together); });
+}
+
+void Session::State::writeNow(const Together& together) {
+    controller.actFor(together.origin);
+    if (auto done = writeAllOrNone(controller, together.values); !done) newRefusals.push_back(done.error());
+    controller.actFor({});
 }
 
 void Session::press(Target target, types::Value pressed, types::Value released, std::string origin) {
@@ -341,7 +344,7 @@ void Session::latest(Snapshot& into) const {
 // ---------------------------------------------------------------- other programs, other times
 
 void Session::changeProgram(driver::Built next, std::function<void(const controller::OnlineChangeReport&)> done,
-                            std::optional<std::vector<Breakpoint>> breakpoints) {
+                            std::optional<std::vector<Breakpoint>> breakpoints, Together together) {
     auto built = std::make_shared<const driver::Built>(std::move(next));
     if (!built->program) {
         controller::OnlineChangeReport refused;
@@ -350,30 +353,35 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
         return;
     }
     if (m->outlet) {
-        Order order{.kind = OrderKind::ChangeProgram, .built = std::move(built), .done = std::move(done)};
+        Order order{.kind = OrderKind::ChangeProgram,
+                    .values = std::move(together.values),
+                    .origin = std::move(together.origin),
+                    .built = std::move(built),
+                    .done = std::move(done)};
         if (breakpoints) order.breakpoints = std::move(*breakpoints);
         return m->outlet->post(std::move(order));
     }
-    m->post(When::Boundary,
-            [s = m.get(), built = std::move(built), done = std::move(done), breakpoints = std::move(breakpoints)] {
-                const driver::Built* before = s->current.load();
-                s->adopt(built); // before the controller tells its observers
-                const controller::OnlineChangeReport report = s->controller.changeProgram(built->program);
-                if (!report.refusal.isEmpty()) {
-                    s->current.store(before);
-                    s->newRefusals.push_back({report.refusal, {}});
-                } else {
-                    if (breakpoints) s->breakpoints = *breakpoints;
-                    if (s->debugger && breakpoints)
-                        s->debugger->setBreakpoints(s->breakpoints);
-                    else if (s->debugger)
-                        s->debugger->programChanged();
-                    s->optimise(built);
-                }
-                s->needsAnchor = true;
-                s->publish();
-                if (done) done(report);
-            });
+    m->post(When::Boundary, [s = m.get(), built = std::move(built), done = std::move(done),
+                             breakpoints = std::move(breakpoints), together = std::move(together)] {
+        const driver::Built* before = s->current.load();
+        s->adopt(built); // before the controller tells its observers
+        const controller::OnlineChangeReport report = s->controller.changeProgram(built->program);
+        if (!report.refusal.isEmpty()) {
+            s->current.store(before);
+            s->newRefusals.push_back({report.refusal, {}});
+        } else {
+            if (breakpoints) s->breakpoints = *breakpoints;
+            if (s->debugger && breakpoints)
+                s->debugger->setBreakpoints(s->breakpoints);
+            else if (s->debugger)
+                s->debugger->programChanged();
+            s->writeNow(together);
+            s->optimise(built);
+        }
+        s->needsAnchor = true;
+        s->publish();
+        if (done) done(report);
+    });
 }
 
 Result<void> Session::resumeFrom(history::Position position) {

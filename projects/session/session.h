@@ -86,9 +86,9 @@ public:
     /// Of the newest finished scan (a copy of what is published); at a breakpoint the image as it is now.
     void latest(Snapshot& into) const override;
     /// Takes effect at the next scan boundary; `done` runs on the scan thread. `breakpoints`: those of the new program,
-    /// in the place of the present ones.
+    /// in the place of the present ones. `together`: written before the new program's first scan.
     void changeProgram(driver::Built built, std::function<void(const controller::OnlineChangeReport&)> done,
-                       std::optional<std::vector<Breakpoint>> breakpoints = std::nullopt);
+                       std::optional<std::vector<Breakpoint>> breakpoints = std::nullopt, Together together = {});
     /// Continue from a recorded scan on a new branch (state Paused until start()).
     Result<void> resumeFrom(history::Position position);
 

@@ -99,6 +99,7 @@ struct Session::State final : controller::ScanObserver {
     /// Of a mirror, the order goes to the controller that it shows.
     [[nodiscard]] bool sendsElsewhere(Order order);
     void adopt(std::shared_ptr<const driver::Built> built);
+    void writeNow(const Together& together);
     void optimise(std::shared_ptr<const driver::Built> built);
 
     void run();

@@ -25,10 +25,9 @@ struct BlockForm {
     std::string_view input, output, setPoint; // of the process: the block's output, actual value, set point
     std::string_view low = {}, high = {};     // limits of the output, may be empty
     std::string_view manual;                  // BOOL
-    /// BOOL inside the block: the next call goes on from the output as it is, whatever the parameters; may be empty.
+    /// BOOL inside the block: the next call goes on from the output as it is, whatever the parameters; empty where
+    /// there is no integral part.
     std::string_view resumes = {};
-    /// Inside the block: integral and slope of the error, without gain and times; may be empty.
-    std::string_view errorSum = {}, errorSlope = {};
     std::string_view cycle = {}; // the interval that a call stands for, may be empty: the task's
     Unit cycleUnit = Unit::Plain;
     bool isReversed = false; // acts on actual value - set point

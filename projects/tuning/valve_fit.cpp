@@ -224,9 +224,15 @@ private:
         const double pull = std::clamp(tried.turn * m_range - band, -band, band);
         const double* input = m_series.input.data() + stretch.begin;
         StickingValve valve({band, friction.slide * band, friction.follows}, input[m_top], pull);
-        std::vector<double> at(stretch.parts * stretch.stride, input[m_top] - pull);
-        for (size_t i = m_top; i < at.size(); ++i) at[i] = valve.next(input[i]);
-        return averaged(at, 0, stretch);
+        std::vector<double> out(stretch.parts);
+        size_t i = 0;
+        for (double& mean : out) {
+            double sum = 0;
+            for (const size_t end = i + stretch.stride; i < end; ++i)
+                sum += i < m_top ? input[m_top] - pull : valve.next(input[i]);
+            mean = sum / static_cast<double>(stretch.stride);
+        }
+        return out;
     }
     const LoopSeries& m_series;
     const Cycles& m_cycles;

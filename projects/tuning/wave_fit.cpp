@@ -17,10 +17,12 @@ struct Wave {
     double phase = 0; // in parts
 };
 
-double valueAt(double turns, double rise) {
+/// Its integral over the turns so far; a whole turn adds nothing.
+double integralAt(double turns, double rise) {
     const double within = turns - std::floor(turns);
-    if (within < rise) return 2 * within / rise - 1;
-    return rise < 1 ? 1 - 2 * (within - rise) / (1 - rise) : 1;
+    if (within < rise) return within * (within / rise - 1);
+    const double falling = within - rise;
+    return rise < 1 ? falling * (1 - falling / (1 - rise)) : 0;
 }
 
 /// What explains the oscillation: a process and a wave at its output or input.
@@ -60,7 +62,8 @@ private:
 class WaveSearch {
 public:
     explicit WaveSearch(const Cycles& cycles)
-        : m_cycles(cycles), m_projection(cycles.measured), m_values(m_projection.of(cycles.measured.values.data())) {}
+        : m_cycles(cycles), m_projection(cycles.measured), m_values(m_projection.of(cycles.measured.values.data())),
+          m_square(m_values.squaredNorm()) {}
     [[nodiscard]] double search() {
         const double perCycle = refinedPeriod();
         double best = m_values.squaredNorm();
@@ -79,12 +82,18 @@ private:
     [[nodiscard]] Tried refined(Tried best) const;
     [[nodiscard]] double polished(const Tried& found) const;
     [[nodiscard]] double leftBy(const Outside& outside) const;
-    [[nodiscard]] double leftBy(const Eigen::VectorXd& response, const Eigen::VectorXd& wave) const;
+    struct Part { // of what explains the measured values
+        Eigen::VectorXd values;
+        double square = 0, product = 0; // with itself, with the measured values
+    };
+    [[nodiscard]] Part partOf(Eigen::VectorXd values) const;
+    [[nodiscard]] double leftBy(const Part& response, const Part& wave) const;
     [[nodiscard]] std::vector<double> waveOf(const Outside& outside, size_t more) const;
 
     const Cycles& m_cycles;
     Projection m_projection;
     Eigen::VectorXd m_values;
+    double m_square; // of the values
 };
 
 /// Squares that harmonics of a period leave.
@@ -122,26 +131,32 @@ double WaveSearch::refinedPeriod() const {
 /// The wave in parts, `more` beyond the measured ones, as the process shows it; from long before, so that its start is
 /// forgotten.
 std::vector<double> WaveSearch::waveOf(const Outside& outside, size_t more) const {
-    constexpr size_t kFine = 8, kBefore = 8;
+    constexpr size_t kBefore = 8;
     const auto before =
         outside.isAtInput ? static_cast<size_t>(static_cast<double>(kBefore) * std::ceil(outside.perCycle)) : size_t{0};
     const size_t parts = m_cycles.stretch.parts + more;
     std::vector<double> out(before + parts);
-    for (size_t i = 0; i < out.size(); ++i) {
-        const double at = static_cast<double>(i) - static_cast<double>(before) + outside.wave.phase;
-        for (size_t k = 0; k < kFine; ++k)
-            out[i] +=
-                valueAt((at + (static_cast<double>(k) + 0.5) / kFine) / outside.perCycle, outside.wave.rise) / kFine;
+    const double first = outside.wave.phase - static_cast<double>(before), rise = outside.wave.rise;
+    double last = integralAt(first / outside.perCycle, rise);
+    for (size_t i = 0; i < out.size(); ++i) { // the mean over each part
+        const double next = integralAt((first + static_cast<double>(i + 1)) / outside.perCycle, rise);
+        out[i] = (next - last) * outside.perCycle;
+        last = next;
     }
     if (outside.isAtInput) out = responseOf(out, outside.shape);
     out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(before));
     return out;
 }
 
+WaveSearch::Part WaveSearch::partOf(Eigen::VectorXd values) const {
+    const double square = values.squaredNorm(), product = values.dot(m_values);
+    return {std::move(values), square, product};
+}
+
 /// Squares that the best gain, of the sign that the controller's says, and the best height of the wave leave.
-double WaveSearch::leftBy(const Eigen::VectorXd& response, const Eigen::VectorXd& wave) const {
-    const double rr = response.squaredNorm(), ww = wave.squaredNorm(), rw = response.dot(wave);
-    const double ry = response.dot(m_values), wy = wave.dot(m_values), yy = m_values.squaredNorm();
+double WaveSearch::leftBy(const Part& response, const Part& wave) const {
+    const double rr = response.square, ww = wave.square, rw = response.values.dot(wave.values);
+    const double ry = response.product, wy = wave.product, yy = m_square;
     const double size = rr * ww - rw * rw;
     if (size > 1e-9 * rr * ww) {
         const double gain = (ry * ww - wy * rw) / size, height = (wy * rr - ry * rw) / size;
@@ -155,9 +170,8 @@ double WaveSearch::leftBy(const Outside& outside) const {
     const double rise = outside.wave.rise, most = static_cast<double>(m_cycles.measured.skip) - 1;
     if (outside.delay < 0 || outside.delay > most || rise < 0.5 || rise > 1) return kImpossible;
     if (!isPossible(outside.shape)) return kImpossible;
-    const Eigen::VectorXd response =
-        m_projection.of(delayed(responseOf(m_cycles.input, outside.shape), outside.delay).data());
-    return leftBy(response, m_projection.of(waveOf(outside, 0).data()));
+    const std::vector<double> response = delayed(responseOf(m_cycles.input, outside.shape), outside.delay);
+    return leftBy(partOf(m_projection.of(response.data())), partOf(m_projection.of(waveOf(outside, 0).data())));
 }
 
 /// The best of a grid for each form of the wave. The wave's own dead time is part of its phase.
@@ -170,7 +184,7 @@ std::vector<WaveSearch::Tried> WaveSearch::coarse(bool isAtInput, double perCycl
     for (const double lag : kLags)
         for (const double second : {0.0, 1.0}) shapes.push_back({lag * perCycle, second});
     std::vector<Tried> best(kRises.size());
-    std::vector<std::pair<Wave, Eigen::VectorXd>> waves;
+    std::vector<std::pair<Wave, Part>> waves;
     const auto makeWaves = [&](const LagShape& shape) {
         waves.clear();
         const auto more = static_cast<size_t>(std::ceil(perCycle));
@@ -178,7 +192,7 @@ std::vector<WaveSearch::Tried> WaveSearch::coarse(bool isAtInput, double perCycl
             const std::vector<double> all = waveOf({shape, 0, {rise, 0}, isAtInput, perCycle}, more);
             for (size_t i = 0; i < kPhases; ++i) {
                 const size_t phase = more * i / kPhases;
-                waves.emplace_back(Wave{rise, static_cast<double>(phase)}, m_projection.of(all.data() + phase));
+                waves.emplace_back(Wave{rise, static_cast<double>(phase)}, partOf(m_projection.of(all.data() + phase)));
             }
         }
     };
@@ -188,7 +202,7 @@ std::vector<WaveSearch::Tried> WaveSearch::coarse(bool isAtInput, double perCycl
         const std::vector<double> response = responseOf(m_cycles.input, shape);
         for (const double delay : kDelays) {
             const double parts = std::round(delay * perCycle);
-            const Eigen::VectorXd moved = m_projection.of(delayed(response, parts).data());
+            const Part moved = partOf(m_projection.of(delayed(response, parts).data()));
             for (size_t i = 0; i < waves.size(); ++i)
                 if (const double now = leftBy(moved, waves[i].second); now < best[i / kPhases].left)
                     best[i / kPhases] = {{shape, parts, waves[i].first, isAtInput, perCycle}, now};

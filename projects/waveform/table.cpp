@@ -2,6 +2,7 @@
 
 #include "projects/waveform/codesys_trace.h"
 #include "projects/waveform/errors.h"
+#include "projects/waveform/long_table.h"
 #include "projects/waveform/table_parts.h"
 #include "projects/waveform/time_stamps.h"
 #include "runtime/base/text.h"
@@ -28,15 +29,6 @@ std::string nameOf(const std::string& cell, std::string& unit) {
     unit = text.substr(open + 1, text.size() - open - 2);
     return trimmed(text.substr(0, open));
 }
-
-struct Head {
-    char separator = ',';
-    std::vector<std::string> cells;
-    std::vector<std::optional<double>> unitOf; // of the columns of times
-    std::vector<std::string> units;            // where a row below the headings has them
-    std::optional<size_t> dateCell;            // the day, where the time of day is in the next column
-    size_t next = 0, line = 1;                 // where the first row starts, and its line
-};
 
 char separatorOf(const std::string& line) {
     // TwinCAT Scope: the word and whatever was chosen to separate
@@ -68,7 +60,7 @@ std::vector<std::string> symbolsOf(const std::vector<std::string>& cells) {
 /// As TwinCAT Scope exports: a block of lines, each with its own word in the columns of times and what it says of each
 /// channel in the others ("Name", "Data-Type", "SampleTime[ms]", "Unit"…); then the rows. Times are milliseconds since
 /// the start, or dates in steps of 100 ns. `next` at the line after the names. False: it is no such head.
-bool readScopeHead(const std::string& text, Head& head) {
+bool readScopeHead(const std::string& text, TableHead& head) {
     if (head.cells.size() < 2 || head.cells[0] != "Name") return false;
     std::vector<std::string> names = head.cells, cells;
     size_t at = head.next, line = head.line;
@@ -105,7 +97,7 @@ bool readScopeHead(const std::string& text, Head& head) {
 }
 
 /// Below the headings some tools write a row of units: words only, in each column that has a heading.
-void readUnits(const std::string& text, Head& head) {
+void readUnits(const std::string& text, TableHead& head) {
     std::vector<std::string> cells;
     const size_t next = splitLine(text, head.next, head.separator, cells);
     size_t words = 0;
@@ -130,10 +122,10 @@ void readUnits(const std::string& text, Head& head) {
 }
 
 /// The first of the leading lines with a column of times and one of something else.
-Result<Head> headOf(const std::string& text) {
+Result<TableHead> headOf(const std::string& text) {
     constexpr size_t kMostLines = 60;
     size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    Head head;
+    TableHead head;
     for (size_t line = 1; line <= kMostLines && at < text.size(); ++line) {
         head.separator = separatorOf(text.substr(at, text.find('\n', at) - at));
         at = splitLine(text, at, head.separator, head.cells);
@@ -177,17 +169,27 @@ Result<std::string> wholeFile(const std::string& path) {
     return std::move(text).str();
 }
 
+/// How often something happened in the rows, and where first.
+struct Occurrences {
+    size_t count = 0, line = 0;
+    void add(size_t at) {
+        if (count++ == 0) line = at;
+    }
+};
+
 /// What the cells of one column say, and whose times they have.
 struct Reading {
     size_t cell = 0, timeCell = 0;
     bool onlyBool = true, hasNumber = false;
     double held = kNoNumber;
+    Occurrences words = {};
+    std::string word = {}; // the first
 };
 
 /// The rows below the headings, one after the other.
 class Rows {
 public:
-    Rows(const std::string& text, const Head& head);
+    Rows(const std::string& text, const TableHead& head);
     [[nodiscard]] Result<Table> read();
 
 private:
@@ -197,11 +199,14 @@ private:
     void makeTimes();
     [[nodiscard]] double timeAt(size_t cell);
     [[nodiscard]] Result<void> readRow();
+    void countCells();
+    void noteWord(Reading& reading, const std::string& cell) const;
+    [[nodiscard]] std::vector<Message> notes() const;
     [[nodiscard]] Result<void> addOwn(size_t column, double time, double value);
     [[nodiscard]] Result<Table> finished();
 
     const std::string& m_text;
-    const Head& m_head;
+    const TableHead& m_head;
     size_t m_at, m_line;
     std::vector<std::string> m_cells;
     size_t m_times = 0, m_timeCell = 0; // columns of times; the only one
@@ -209,10 +214,12 @@ private:
     std::vector<Column> m_columns;
     std::vector<Reading> m_readings;
     std::vector<Samples> m_pairs; // where each column has times of its own
+    size_t m_least = 0;           // cells that a row has at least: an empty heading needs none
+    Occurrences m_short, m_long, m_sameTime;
     Table m_out;
 };
 
-Rows::Rows(const std::string& text, const Head& head)
+Rows::Rows(const std::string& text, const TableHead& head)
     : m_text(text), m_head(head), m_at(head.next), m_line(head.line - 1) {
     makeColumns();
     makeTimes();
@@ -232,6 +239,7 @@ void Rows::makeColumns() {
         if (column.unit.empty() && i < m_head.units.size()) column.unit = m_head.units[i];
         m_columns.push_back(std::move(column));
         m_readings.push_back({i, m_times > 1 ? timeCell : m_timeCell});
+        m_least = i + 1;
     }
     m_pairs.resize(m_columns.size());
 }
@@ -274,15 +282,45 @@ Result<void> Rows::addOwn(size_t column, double time, double value) {
     return {};
 }
 
+/// Where columns have times of their own, the shorter ones end earlier.
+void Rows::countCells() {
+    if (m_cells.size() < m_least && m_times == 1) m_short.add(m_line);
+    const auto hasText = [](const std::string& cell) { return !trimmed(cell).empty(); };
+    const auto beyond = m_cells.begin() + static_cast<std::ptrdiff_t>(std::min(m_cells.size(), m_head.cells.size()));
+    if (std::any_of(beyond, m_cells.end(), hasText)) m_long.add(m_line);
+}
+
+void Rows::noteWord(Reading& reading, const std::string& cell) const {
+    if (trimmed(cell).empty()) return;
+    if (reading.words.count == 0) reading.word = trimmed(cell);
+    reading.words.add(m_line);
+}
+
+std::vector<Message> Rows::notes() const {
+    std::vector<Message> out;
+    if (m_long.count > 0) out.push_back(errors::CsvLongRows(m_long.count, m_long.line));
+    if (m_short.count > 0) out.push_back(errors::CsvShortRows(m_short.count, m_short.line));
+    if (m_sameTime.count > 0) out.push_back(errors::CsvSameTimes(m_sameTime.count, m_sameTime.line));
+    for (size_t c = 0; c < m_columns.size(); ++c)
+        if (const Reading& reading = m_readings[c]; reading.hasNumber && reading.words.count > 0)
+            out.push_back(
+                errors::CsvWordsHeld(m_columns[c].name, reading.words.count, reading.word, reading.words.line));
+    return out;
+}
+
 Result<void> Rows::readRow() {
     const bool isOne = m_times == 1;
     if (isOne) {
         const double time = timeAt(m_timeCell);
         if (std::isnan(time)) return Error{errors::CsvNotANumber(m_line, m_head.cells[m_timeCell]), ""};
         if (!m_out.time.empty() && time < m_out.time.back()) return Error{errors::CsvTimeRunsBack(m_line), ""};
-        if (!m_out.time.empty() && time == m_out.time.back()) return {}; // written twice
+        if (!m_out.time.empty() && time == m_out.time.back()) { // written twice
+            m_sameTime.add(m_line);
+            return {};
+        }
         m_out.time.push_back(time);
     }
+    countCells();
     size_t timeCell = m_head.cells.size();
     double own = kNoNumber; // read once for all columns that share it: after midnight it goes on
     for (size_t c = 0; c < m_columns.size(); ++c) {
@@ -294,6 +332,8 @@ Result<void> Rows::readRow() {
             reading.hasNumber = true;
             const std::string word = lowered(trimmed(cell));
             reading.onlyBool = reading.onlyBool && (word == "true" || word == "false");
+        } else {
+            noteWord(reading, cell);
         }
         if (isOne) {
             m_columns[c].value.push_back(reading.held);
@@ -307,6 +347,7 @@ Result<void> Rows::readRow() {
 
 Result<Table> Rows::finished() {
     std::vector<std::string> withoutNumbers;
+    std::vector<Message> notes = this->notes();
     for (size_t c = m_columns.size(); c-- > 0;) { // words only: comments, names of states
         m_columns[c].isBool = m_readings[c].onlyBool;
         if (m_readings[c].hasNumber) continue;
@@ -319,6 +360,7 @@ Result<Table> Rows::finished() {
     else
         m_out.columns = std::move(m_columns);
     m_out.withoutNumbers = std::move(withoutNumbers);
+    m_out.notes = std::move(notes);
     if (m_out.time.empty()) return Error{errors::CsvHasNoRows(), ""};
     if (m_out.columns.empty()) return Error{errors::CsvHasNoValues(), ""};
     return std::move(m_out);
@@ -338,6 +380,7 @@ Result<Table> parseTable(const std::string& text) {
     if (isCodesysTraceCsv(text)) return parseCodesysTraceCsv(text);
     const auto head = headOf(text);
     if (!head) return head.error();
+    if (const auto form = longFormOf(text, *head)) return readLongTable(text, *head, *form);
     return Rows(text, *head).read();
 }
 

@@ -4,6 +4,7 @@
 #include "projects/waveform/table.h"
 
 #include <limits>
+#include <optional>
 
 namespace plc::waveform {
 
@@ -16,6 +17,15 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 [[nodiscard]] double numberOf(std::string cell);
 /// One line into cells; quotes as in RFC 4180. Returns where the next line starts.
 size_t splitLine(const std::string& text, size_t at, char separator, std::vector<std::string>& cells);
+/// The line with the headings, and where the rows below it start.
+struct TableHead {
+    char separator = ',';
+    std::vector<std::string> cells;
+    std::vector<std::optional<double>> unitOf; // of the columns of times
+    std::vector<std::string> units;            // where a row below the headings has them
+    std::optional<size_t> dateCell;            // the day, where the time of day is in the next column
+    size_t next = 0, line = 1;                 // where the first row starts, and its line
+};
 /// Several columns of times: each column of values follows its own; they meet on all instants there are.
 [[nodiscard]] Table merged(const std::vector<Samples>& pairs, std::vector<Column> columns);
 

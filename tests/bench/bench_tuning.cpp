@@ -1,10 +1,12 @@
 // An hour of 1 ms scans of a loop: the time to read its signals from the recording, to find the steps and to model the
-// process; and what a move of a slider costs.
+// process; what a move of a slider costs; and the diagnosis of a loop whose valve sticks.
 #include "projects/loops/loops.h"
 #include "projects/session/session.h"
+#include "projects/tuning/health.h"
 #include "projects/tuning/proposal.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -49,6 +51,25 @@ private:
 
 void print(const char* what, double milliseconds) { std::printf("%-52s %10.2f ms\n", what, milliseconds); }
 
+/// A PI controller behind whose output a valve sticks, before a lag: it oscillates.
+tuning::LoopSeries stickingLoop(int samples) {
+    constexpr double kCycle = 0.1, kLag = 1.5, kStick = 1.5;
+    tuning::LoopSeries out;
+    double integral = 0, valve = 0, measured = 0;
+    for (int i = 0; i < samples; ++i) {
+        const double error = 10 - measured;
+        integral += 0.3 * error * kCycle / 4;
+        const double wanted = 0.3 * error + integral;
+        if (std::abs(wanted - valve) >= kStick) valve = wanted;
+        out.time.push_back(i * kCycle);
+        out.input.push_back(wanted);
+        out.output.push_back(measured);
+        out.setPoint.push_back(10);
+        measured += (1.5 * valve - measured) * kCycle / kLag;
+    }
+    return out;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -91,5 +112,13 @@ int main(int argc, char** argv) {
         if (gains) (void)tuning::assess(study->models.front().model, *gains, {0.001, 0, 0});
     }
     print("a move of a slider (goal: a frame, 16 ms)", moving.milliseconds() / kMoves);
+
+    const tuning::LoopSeries sticking = stickingLoop(24'000);
+    const Stopwatch diagnosing;
+    constexpr int kDiagnoses = 10;
+    bool isFound = true;
+    for (int i = 0; i < kDiagnoses; ++i) isFound = isFound && tuning::healthOf(sticking, {}).oscillation.has_value();
+    if (!isFound) return 1;
+    print("the diagnosis of an oscillating loop", diagnosing.milliseconds() / kDiagnoses);
     return 0;
 }

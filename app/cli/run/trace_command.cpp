@@ -212,11 +212,19 @@ int finish(const trace::Recording& recording, const trace::TraceOutput& output) 
     return kGood;
 }
 
+/// What a table was not like is said beside the result.
+Result<std::shared_ptr<trace::RunRecording>> openFile(const std::string& file) {
+    auto out = trace::RunRecording::open(file);
+    if (out)
+        for (const Message& note : (*out)->notes()) std::cerr << file << ": " << note.english() << "\n";
+    return out;
+}
+
 /// Files that channels name: as given, else in the project.
 trace::OtherRecordings::Open openIn(const std::string& folder) {
     return [folder](const std::string& file) {
         namespace fs = std::filesystem;
-        return trace::RunRecording::open(fs::exists(file) ? file : (fs::path(folder) / file).string());
+        return openFile(fs::exists(file) ? file : (fs::path(folder) / file).string());
     };
 }
 
@@ -226,7 +234,7 @@ int traceRecording(const Arguments& arguments, const std::string& file) {
     auto output = outputOf(arguments, *setup);
     if (!output) return wrongUse(output.error());
     output->openOther = openIn({});
-    const auto recording = trace::RunRecording::open(file);
+    const auto recording = openFile(file);
     if (!recording) return wrongUse(recording.error());
     needApplication();
     return finish(**recording, *output);
@@ -262,7 +270,7 @@ int runTrace(const Arguments& arguments) {
     if (!file && !setup->compareWith.empty())
         file = (std::filesystem::path(project->folder) / setup->compareWith).string();
     if (file) {
-        const auto older = trace::RunRecording::open(*file);
+        const auto older = openFile(*file);
         if (!older) return wrongUse(older.error());
         beneath = *older;
         output->beneath = beneath.get();

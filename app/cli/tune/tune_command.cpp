@@ -177,9 +177,11 @@ int tuneTable(const Arguments& arguments, const Question& question, const std::s
         if (!columns) return wrongUse(columns.error());
         return wrongUse({errors::TuneTableNeedsSignals(*columns), path});
     }
+    std::vector<Message> notes;
     auto series =
-        tuning::readCsv(path, {question.channels.input, question.channels.output, question.channels.setPoint});
+        tuning::readCsv(path, {question.channels.input, question.channels.output, question.channels.setPoint}, &notes);
     if (!series) return wrongUse(series.error());
+    for (const Message& note : notes) std::cerr << path << ": " << note.english() << "\n";
     TuneReport report;
     report.name = std::filesystem::path(path).filename().string();
     report.channels = question.channels;

@@ -7,12 +7,12 @@ namespace plc::trace {
 namespace {
 
 Result<std::shared_ptr<RunRecording>> openTable(const std::string& path, Progress* progress) {
-    const auto table = waveform::readTable(path);
+    auto table = waveform::readTable(path);
     if (!table) return table.error();
     auto recorded = recordTable(*table, progress);
     if (!recorded) return Error{recorded.error().message, path};
     return std::make_shared<RunRecording>(
-        session::RecordedRun::of(std::move(recorded->built), std::move(recorded->history)));
+        session::RecordedRun::of(std::move(recorded->built), std::move(recorded->history)), std::move(table->notes));
 }
 
 } // namespace

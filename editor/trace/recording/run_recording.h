@@ -10,11 +10,14 @@ class RunRecording final : public Recording {
 public:
     /// The run must outlive it.
     explicit RunRecording(const session::Run& run) : m_run(run) {}
-    explicit RunRecording(std::shared_ptr<const session::RecordedRun> run) : m_run(*run), m_owned(std::move(run)) {}
+    explicit RunRecording(std::shared_ptr<const session::RecordedRun> run, std::vector<Message> notes = {})
+        : m_run(*run), m_owned(std::move(run)), m_notes(std::move(notes)) {}
     /// Of a recording the program is built again, which takes longest. A table of measured values (.csv, .tsv, .txt)
     /// opens as well: a program is written for its columns.
     [[nodiscard]] static Result<std::shared_ptr<RunRecording>> open(const std::string& path,
                                                                     Progress* progress = nullptr);
+    /// What was not as it should be in a table, and what was done about it.
+    [[nodiscard]] const std::vector<Message>& notes() const { return m_notes; }
     /// From a file; null: of a run that goes on.
     [[nodiscard]] const std::shared_ptr<const session::RecordedRun>& recordedRun() const { return m_owned; }
 
@@ -42,6 +45,7 @@ public:
 private:
     const session::Run& m_run;
     std::shared_ptr<const session::RecordedRun> m_owned;
+    std::vector<Message> m_notes;
 };
 
 } // namespace plc::trace

@@ -54,9 +54,10 @@ Result<LoopSeries> parseCsv(const std::string& text, const CsvColumns& columns) 
     return seriesOf(*table, columns);
 }
 
-Result<LoopSeries> readCsv(const std::string& path, const CsvColumns& columns) {
+Result<LoopSeries> readCsv(const std::string& path, const CsvColumns& columns, std::vector<Message>* notes) {
     const auto table = waveform::readTable(path);
     if (!table) return table.error();
+    if (notes) *notes = table->notes;
     auto series = seriesOf(*table, columns);
     if (!series) return Error{series.error().message, path};
     return series;

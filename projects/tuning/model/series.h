@@ -25,7 +25,9 @@ struct CsvColumns {
 
 /// Columns of a table as projects/waveform/table.h reads it.
 [[nodiscard]] Result<LoopSeries> parseCsv(const std::string& text, const CsvColumns& columns);
-[[nodiscard]] Result<LoopSeries> readCsv(const std::string& path, const CsvColumns& columns);
+/// `notes` receives what was not as it should be in the table.
+[[nodiscard]] Result<LoopSeries> readCsv(const std::string& path, const CsvColumns& columns,
+                                         std::vector<Message>* notes = nullptr);
 /// The names of the columns, the time's left out.
 [[nodiscard]] Result<std::vector<std::string>> csvColumns(const std::string& path);
 

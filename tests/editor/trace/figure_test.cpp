@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QImage>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -285,6 +286,24 @@ TEST(TableRecordingTest, ATableThatIsNoneSaysWhy) {
     EXPECT_FALSE(RunRecording::open(folder.filePath("missing.csv").toStdString()));
 }
 
+TEST_F(TraceFigure, AHistoriansTableIsDrawnBesideLiveValuesAndItsFlawsAreSaid) {
+    write(folder.filePath("plant.csv"),
+          "\xEF\xBB\xBFTimestamp;TagName;Value\n2026-03-01T06:00:00.000+01:00;Level;1,25\n"
+          "2026-03-01T06:00:00.000+01:00;Flow;7\n2026-03-01T06:00:01.000+01:00;Level;Bad\n"
+          "2026-03-01T06:00:02.000+01:00;Level;2,5\n");
+    show({"Main.ramp"}, FigureKind::None);
+    QSignalSpy noted(&view, &TraceView::noted);
+    view.addChannelOf(folder.filePath("plant.csv"), "Level");
+    const auto& curves = view.plot()->model().curves;
+    ASSERT_EQ(curves.size(), 2U);
+    ASSERT_TRUE(curves[1].source) << curves[1].problem.toStdString();
+    EXPECT_EQ(curves[1].source->inForceAt(500 * Ms)->value, 1.25);
+    EXPECT_EQ(curves[1].source->inForceAt(2500 * Ms)->value, 2.5);
+    EXPECT_EQ(curves[0].source->inForceAt(2 * S)->value, 20);
+    ASSERT_EQ(noted.size(), 1);
+    EXPECT_TRUE(noted[0][0].toString().startsWith("plant.csv: Column Level: 1 cell is not a number"));
+}
+
 TEST_F(TraceFigure, MeasuredValuesAreDrawnBesideLiveOnes) {
     write(folder.filePath("bench.csv"), "time_ms,Level\n0,1\n1000,2\n2000,5\n");
     show({"Main.ramp"}, FigureKind::None);
@@ -317,8 +336,52 @@ TEST_F(TraceFigure, DraggingTheRulerMeasuresFromSampleToSample) {
     EXPECT_NEAR(double(ruler.toTime - ruler.fromTime) / 1e9, 4, 0.1);
     EXPECT_NEAR((ruler.toValue - ruler.fromValue) / (double(ruler.toTime - ruler.fromTime) / 1e9), 10, 0.01);
     EXPECT_TRUE(plc::plot::rulerText(ruler).contains("Δt")) << plc::plot::rulerText(ruler).toStdString();
+    QTest::mouseClick(plot, Qt::LeftButton, {}, at(3 * S)); // measures nothing
+    EXPECT_FALSE(plot->model().ruler);
+    QTest::mousePress(plot, Qt::LeftButton, {}, at(2 * S));
+    QTest::mouseMove(plot, at(6 * S));
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, at(6 * S));
+    ASSERT_TRUE(plot->model().ruler);
     QTest::keyClick(plot, Qt::Key_Escape);
     EXPECT_FALSE(plot->model().ruler);
+}
+
+TEST(FigureRoom, ALowDockIsNeverLeftEmpty) {
+    plc::plot::Figure figure;
+    for (const char* name : {"gain", "phase", "coherence"})
+        figure.charts.push_back({name, "Frequency [Hz]", "", {{"a", {0, 1}, {0, 1}, 0}}, false});
+    struct Row {
+        double width, height;
+        size_t shown;
+    };
+    // as the dock is in a window of 1600 x 1000 at first, narrower, lower, high
+    for (const auto& [width, height, shown] :
+         {Row{400, 189, 3}, Row{300, 189, 2}, Row{200, 120, 1}, Row{400, 120, 3}, Row{400, 600, 3}}) {
+        size_t seen = 0;
+        for (const auto& frame : framesOf(figure, QRectF(0, 0, width, height), qApp->font(), {}))
+            seen += frame.area.height() >= 24 && frame.area.width() >= 60;
+        EXPECT_EQ(seen, shown) << width << " x " << height;
+    }
+}
+
+TEST(FigureLegend, ALongNameDoesNotHideTheOthers) {
+    plc::waveform::Chart chart{"XY plot", "x", {}, {}, false};
+    for (const char* name : {"Set point", "Valve", "DERIVATIVE(FILTER(IO.Temperature - IO.SetPoint, T#1s))"})
+        chart.curves.push_back({name, {0, 1}, {0, 1}, 0, plc::waveform::CurveStyle::Line});
+    const plc::plot::Figure figure{{chart}, {}};
+    const QFont font = qApp->font();
+    const QFontMetricsF metrics(font);
+    for (const double width : {340.0, 600.0, 1600.0}) {
+        const auto frame = framesOf(figure, QRectF(0, 0, width, 200), font, {}).front();
+        const auto names = legendOf(chart, frame, font);
+        ASSERT_EQ(names.size(), 3U) << width;
+        EXPECT_EQ(names[1].text, "Valve") << width;
+        double used = 0;
+        for (const auto& name : names) used += metrics.horizontalAdvance(name.text);
+        EXPECT_LT(used, 0.65 * width) << width;
+        EXPECT_EQ(names[2].text == "DERIVATIVE(FILTER(IO.Temperature - IO.SetPoint, T#1s))", width > 1000) << width;
+        EXPECT_FALSE(names[2].text.isEmpty()) << width;
+    }
 }
 
 TEST_F(TraceFigure, EveryKindHasRoomInASmallWindow) {

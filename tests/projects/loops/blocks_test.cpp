@@ -2,6 +2,7 @@
 // was recorded, bit for bit; with others it does not.
 #include "projects/loops/trial.h"
 #include "projects/session/session.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 
@@ -133,9 +134,7 @@ TEST_P(BlockKinds, GoesOnFromItsOutputWithOtherParameters) {
         auto writes = writesOf(*loop, built.program, wanted);
         isWritten = !writes.empty();
         if (isBumpless)
-            for (auto& write :
-                 bumplessWrites(*loop, *built.program, session.snapshot(), writable(*loop, built.program, wanted)))
-                writes.push_back(write);
+            for (auto& write : bumplessWrites(*loop, *built.program)) writes.push_back(write);
         for (const ParameterWrite& write : writes) {
             const auto value = valueFor(*built.program, write.path, write.value);
             EXPECT_TRUE(value) << write.path;
@@ -153,6 +152,70 @@ TEST_P(BlockKinds, GoesOnFromItsOutputWithOtherParameters) {
     EXPECT_TRUE(bump > 1 || !isWritten) << kind.declaration;
     // the integral and the measured value move on in that scan
     EXPECT_LT(jump(true), std::max(0.5, 0.1 * bump)) << kind.declaration;
+}
+
+namespace {
+
+/// With the gain as a constant of the call, where the call hands it over by itself.
+driver::BuildInput withConstant(const Kind& kind, const std::string& gain) {
+    std::string text = programOf(kind);
+    for (const char* word : {":= Kp", ":= -Kp"})
+        if (const size_t at = text.find(word); at != std::string::npos) text.replace(text.find("Kp", at), 2, gain);
+    driver::BuildInput input;
+    input.files = {{"main.st", text}};
+    input.libraries = {"toolbox", "util", "analog"};
+    return input;
+}
+
+} // namespace
+
+TEST_P(BlockKinds, GoesOnFromItsOutputAfterAnOnlineChangeAtFullSpeed) {
+    const Kind& kind = GetParam();
+    session::Session session(driver::build(withConstant(kind, "1.3")));
+    const auto loop = findLoop(*session.program(), kind.name);
+    ASSERT_TRUE(loop);
+    if (loop->form->resumes.empty()) return; // its output is the error times the gain, and nothing else
+    const driver::Built next = driver::build(withConstant(kind, "2.6"));
+    ASSERT_TRUE(next.program);
+    session::Together together;
+    std::vector<ParameterWrite> writes = bumplessWrites(*loop, *next.program);
+    ASSERT_EQ(writes.size(), 1U);
+    if (kind.gain != std::string("Main.Kp"))
+        writes.push_back({kind.gain, loop->form->isReversed ? -2.6 : 2.6}); // by no constant
+    for (const ParameterWrite& write : writes)
+        together.values.push_back({write.path, *valueFor(*next.program, write.path, write.value)});
+    session.startThread({session::Pace::Fastest});
+    const auto scans = [&](uint64_t wanted) { return eventually([&] { return session.status().scans >= wanted; }); };
+    ASSERT_TRUE(scans(2000));
+    session.changeProgram(next, {}, std::nullopt, together);
+    const std::string gain = loop->pin(loop->form->parameters.front().member);
+    const auto present = [&] { return std::abs(numberAt(*next.program, session.snapshot(), gain).value_or(0)); };
+    ASSERT_TRUE(eventually([&] { return session.program() == next.program && present() > 2; }));
+    ASSERT_TRUE(scans(session.status().scans + 1000));
+    session.pause();
+    ASSERT_TRUE(eventually([&] { return session.status().state == controller::State::Paused; }));
+    const auto samplesOf = [&](const std::string& path, history::Position from, history::Position to) {
+        return session.history().samples(*session.expression(path), session.recompile(path), from, to);
+    };
+    const auto changed =
+        session.history().findChange(*session.expression(gain), session.recompile(gain),
+                                     session.history().statistics().first, history::History::Direction::Forward);
+    ASSERT_TRUE(changed);
+    constexpr history::Position kAround = 900;
+    const auto output = samplesOf(loop->pin(loop->form->input), *changed - kAround, *changed + kAround);
+    const auto setPoint = samplesOf("Main.SetPoint", *changed - kAround, *changed + kAround);
+    double there = 0, around = 0;
+    size_t sinceStep = 0;
+    for (size_t i = 1; i < output.size(); ++i) {
+        const double moved = std::abs(output[i].value - output[i - 1].value);
+        sinceStep = setPoint[i].value != setPoint[i - 1].value ? 0 : sinceStep + 1;
+        if (i == kAround)
+            there = moved;
+        else if (sinceStep > 10)
+            around = std::max(around, moved);
+    }
+    EXPECT_GT(around, 0.01);
+    EXPECT_LE(there, around) << kind.declaration;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BlockKinds, ::testing::ValuesIn(kKinds),

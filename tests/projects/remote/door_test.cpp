@@ -297,6 +297,21 @@ TEST_F(DoorTest, AnotherProgramEntersAndTheMirrorFollows) {
     EXPECT_TRUE(fedUntil([&] { return mirror->history().statistics().end > end + 20; }));
 }
 
+TEST_F(DoorTest, ValuesEnterWithAnotherProgramBeforeItsFirstScan) {
+    driver::BuildInput next = *plant->built().input;
+    const size_t at = next.files[0].text.find("n := n + 1;");
+    next.files[0].text.replace(at, 11, "n := n + 1; IF first < 0.0 THEN first := speed; END_IF");
+    next.files[0].text.replace(next.files[0].text.find("VAR speed"), 3, "VAR first : REAL := -1.0;");
+    EXPECT_NE(textAt(ask({{"do", "change"}, {"sources", sourcesJson(next)}, {"values", pairs({{"Main.gone", "1"}})}}),
+                     "error"),
+              "");
+    const Json request{{"do", "change"}, {"sources", sourcesJson(next)}, {"values", pairs({{"Main.speed", "7.25"}})}};
+    EXPECT_EQ(ask(request)["ok"], true);
+    const auto first = [&] { return ask({{"do", "read"}, {"watch", {"Main.first"}}}).dump(); };
+    EXPECT_TRUE(eventually([&] { return first().find("-1.0") == std::string::npos; }));
+    EXPECT_NE(first().find("7.25"), std::string::npos) << first();
+}
+
 TEST_F(DoorTest, OrdersToTheMirrorGoOutAndNothingRunsHere) {
     mirrorIt();
     EXPECT_TRUE(mirror->isMirror());

@@ -326,3 +326,111 @@ TEST(Table, ATimeThatIsNoneIsSaid) {
         EXPECT_NE(table.error().message.english().find("Line 2"), std::string::npos) << cell;
     }
 }
+
+namespace {
+
+std::vector<std::string> notesOf(const std::string& text) {
+    std::vector<std::string> out;
+    for (const plc::Message& note : read(text).notes) out.push_back(note.english());
+    return out;
+}
+
+} // namespace
+
+TEST(TableNotes, NothingIsSaidOfATableAsItShouldBe) {
+    EXPECT_TRUE(notesOf("time_s,Level,On,Comment\n0,1,FALSE,start\n1,,TRUE,\n2,3,,end\n").empty());
+    // a separator at the end of the header, and the empty cells of a spreadsheet beyond it
+    EXPECT_TRUE(notesOf("time_s;Level;\n0;1\n1;2;\n2;3;;;\n").empty());
+    // columns with times of their own end where they end
+    EXPECT_TRUE(notesOf("Time (ms)\tSpeed\tTime (ms)\tTorque\n0\t1\t0\t10\n1\t2\n2\t3\n").empty());
+}
+
+TEST(TableNotes, WordsAmongNumbersAreCounted) {
+    const std::string text = "time_s,Level,Flow\n0,1,5\n1,Bad,5\n2,#N/A,5\n3,4,NaN\n";
+    EXPECT_EQ(read(text).columns[0].value, (std::vector<double>{1, 1, 1, 4}));
+    EXPECT_EQ(notesOf(text),
+              (std::vector<std::string>{
+                  "Column Level: 2 cells are not numbers, the first (Bad) in line 3; the value above it is kept",
+                  "Column Flow: 1 cell is not a number, the first (NaN) in line 5; the value above it is kept"}));
+}
+
+TEST(TableNotes, ShortAndLongRowsAreCounted) {
+    EXPECT_EQ(notesOf("time_s,Level,Flow\n0,1,5\n1,2\n2,3\n3,4,6\n"),
+              (std::vector<std::string>{
+                  "2 rows have fewer cells than the header, the first in line 3; the values above are kept"}));
+    EXPECT_EQ(
+        notesOf("time_s,Level\n0,1,5\n1,2,5\n2,3\n"),
+        (std::vector<std::string>{"2 rows have more cells than the header, the first in line 2; the surplus cells "
+                                  "are ignored. Put numbers with a decimal comma in quotes"}));
+}
+
+TEST(TableNotes, RowsWithTheTimeOfTheRowAboveAreCounted) {
+    EXPECT_EQ(
+        notesOf("time_s,Level\n0,1\n1,2\n1,3\n2,4\n"),
+        (std::vector<std::string>{"1 row has the same time as the row above, the first in line 4; it is left out"}));
+}
+
+TEST(LongTable, EachNameBecomesAColumn) {
+    const Table table = read("timestamp;tag;value;unit;quality\n2026-03-01T06:00:00+01:00;Level;1,5;m;Good\n"
+                             "2026-03-01T06:00:00+01:00;Pump;TRUE;;Good\n2026-03-01T06:00:01+01:00;Level;2,5;m;Good\n"
+                             "2026-03-01T06:00:03+01:00;Pump;FALSE;;Good\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].name, "Level");
+    EXPECT_EQ(table.columns[0].unit, "m");
+    EXPECT_EQ(table.columns[0].value, (std::vector<double>{1.5, 2.5, 2.5}));
+    EXPECT_EQ(table.columns[1].value, (std::vector<double>{1, 1, 0}));
+    EXPECT_TRUE(table.columns[1].isBool);
+    EXPECT_FALSE(table.columns[0].isBool);
+    EXPECT_EQ(table.time[0], 1772341200); // 05:00 UTC
+    EXPECT_EQ(table.time[2] - table.time[0], 3);
+    EXPECT_TRUE(table.notes.empty());
+}
+
+TEST(LongTable, NamesMayFollowOneAfterTheOther) {
+    for (const char* head : {"Time,Name,Value\n", "\xEF\xBB\xBFtime_s,Variable,Wert\n", "_time,_field,_value\n",
+                             "date,tagname,\"Value [bar]\"\n"}) {
+        const Table table = read(std::string(head) + "0,Level,1\n1,Level,2\n2,Level,3\n0,Flow,10\n2,Flow,30\n");
+        ASSERT_EQ(table.columns.size(), 2U) << head;
+        EXPECT_EQ(table.time, (std::vector<double>{0, 1, 2})) << head;
+        EXPECT_EQ(table.columns[0].value, (std::vector<double>{1, 2, 3})) << head;
+        EXPECT_EQ(table.columns[1].value, (std::vector<double>{10, 10, 30})) << head;
+    }
+}
+
+TEST(LongTable, OfADataBaseWithMillisecondsSince1970) {
+    const Table table = read("_measurement,_field,_time,_value\nboiler,t,1772341200000,20\nboiler,p,1772341200500,1.2\n"
+                             "boiler,t,1772341201000,21\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].name, "t");
+    expectTimes(table, {1772341200, 1772341200.5, 1772341201});
+}
+
+TEST(LongTable, OfAWinCcPanel) {
+    const Table table = read("\"VarName\";\"TimeString\";\"VarValue\";\"Validity\";\"Time_ms\"\n"
+                             "\"Level\";\"21.09.2012 14:12:33\";1,5;1;41173591582,176\n"
+                             "\"Flow\";\"21.09.2012 14:12:33\";7;1;41173591584,491\n"
+                             "\"Level\";\"21.09.2012 14:12:33\";2,5;1;41173591587,963\n"
+                             "\"$RT_COUNT$\";3;;;\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    ASSERT_EQ(table.time.size(), 3U);
+    EXPECT_NEAR(table.time[0], 1348236712.7, 0.01); // 21.09.2012 14:11:52.7 by that column
+    EXPECT_NEAR(table.time[2] - table.time[0], 0.5, 0.01);
+    EXPECT_EQ(table.columns[0].value.back(), 2.5);
+}
+
+TEST(LongTable, WhatIsNotAsItShouldBeIsSaid) {
+    EXPECT_EQ(notesOf("time_s,name,value\n0,Level,1\n1,Level,Bad\n2,Level,3\n2,Level,4\n0,State,idle\n"),
+              (std::vector<std::string>{
+                  "Column Level: 1 cell is not a number, the first (Bad) in line 3; the value above it is kept",
+                  "1 row has the same time as the row above, the first in line 5; it is left out"}));
+    EXPECT_EQ(read("time_s,name,value\n0,Level,1\n0,State,idle\n").withoutNumbers, (std::vector<std::string>{"State"}));
+    const auto back = parseTable("time_s,name,value\n1,Level,1\n0,Level,2\n");
+    ASSERT_FALSE(back);
+    EXPECT_NE(back.error().message.english().find("line 3"), std::string::npos);
+}
+
+TEST(LongTable, AColumnOfNumbersCalledNameIsOneAsAnyOther) {
+    const Table table = read("time_s,point,value\n0,1,10\n1,2,20\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].name, "point");
+}
