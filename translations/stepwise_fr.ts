@@ -7720,6 +7720,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, Nouveau…</translation>
     </message>
     <message>
+        <source>No panel can be read: %1.
+Problems says what is wrong; a double click there opens the file as text.</source>
+        <translation>Aucune vue n’est lisible : %1.
+Problèmes indique ce qui ne va pas ; un double-clic y ouvre le fichier en texte.</translation>
+    </message>
+    <message>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>L’historique des alarmes n’est conservé qu’en mémoire&#xa0;: %1</translation>
     </message>
@@ -8453,6 +8459,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>The project has no other file</source>
         <translation>Le projet n’a pas d’autre fichier</translation>
+    </message>
+    <message>
+        <source>The tour runs on an example, and none is installed: open or create a project and start the tour again</source>
+        <translation>La visite guidée utilise un exemple et aucun n’est installé : ouvrez ou créez un projet et relancez la visite guidée</translation>
     </message>
     <message>
         <source>Open Another File Beside</source>
@@ -9538,6 +9548,16 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Exemples&#xa0;: ouvrez-en un et lancez l’exécution</translation>
+    </message>
+    <message>
+        <source>No examples were found in:
+%1
+
+Install the examples, or set the environment variable STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.</source>
+        <translation>Aucun exemple trouvé dans :
+%1
+
+Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMPLES le dossier qui les contient, puis redémarrez Stepwise.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11693,6 +11713,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Bind</source>
         <translation>Lier</translation>
+    </message>
+    <message>
+        <source>%1 has no single value: drop one of its members, or first draw a panel with a parameter of the type %2</source>
+        <translation>%1 n’a pas de valeur unique : déposez l’un de ses membres ou dessinez d’abord une vue avec un paramètre du type %2</translation>
     </message>
     <message>
         <source>Place in cell</source>

@@ -2,6 +2,7 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/model/layout.h"
+#include "hmi/station/unread_panels.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -170,6 +171,12 @@ bool PanelProject::readPeople() {
     return isGood;
 }
 
+QStringList unreadPanels(const PanelProject& project) {
+    QStringList out = project.folder.isEmpty() ? QStringList() : panelsOnDisk(project.folder);
+    out.removeIf([&](const QString& name) { return project.find(name) != nullptr; });
+    return out;
+}
+
 QStringList panelsOnDisk(const QString& folder) {
     QStringList out;
     for (const QString& file :
@@ -226,7 +233,7 @@ PanelProject loadPanelProject(const projects::Project& project) {
     out.readThemes();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
-    if (!out.startPanel.isEmpty() && !out.find(out.startPanel))
+    if (!out.startPanel.isEmpty() && !out.find(out.startPanel) && !unreadPanels(out).contains(out.startPanel))
         out.problems.push_back({errors::NoPanel(toUtf8(out.startPanel)), "project.json"});
     out.startPanel = out.startOrFirst();
     return out;

@@ -14,6 +14,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QLabel>
 #include <QMessageBox>
 #include <QTimer>
 #include <QTreeWidget>
@@ -254,6 +255,23 @@ TEST_F(DiskChangeTest, ABrokenPanelOpensAsTextWithItsErrorAndComesBackWhenItIsPu
     ASSERT_NE(window->live().panels().find("broken"), nullptr);
     EXPECT_NE(qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget()), nullptr) << "drawn from now on";
     EXPECT_TRUE(waitFor([&] { return problemPlaces().filter("hmi/broken.panel.json:").isEmpty(); }));
+}
+
+TEST_F(DiskChangeTest, TheDockSaysThatAPanelCannotBeReadAndNotThatThereIsNone) {
+    window->closeProject();
+    write("hmi/overview.panel.json", "{\n  \"elements\": [\n    oops\n");
+    ASSERT_TRUE(window->openProject(folder.path()));
+    const auto* place = window->findChild<QLabel*>("noPanel");
+    ASSERT_NE(place, nullptr);
+    EXPECT_FALSE(place->isHidden());
+    EXPECT_TRUE(place->text().contains("overview")) << place->text().toStdString();
+    EXPECT_FALSE(place->text().contains("no panel yet")) << place->text().toStdString();
+    ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/overview.panel.json:3").isEmpty(); }))
+        << problemPlaces().join(" | ").toStdString();
+    EXPECT_TRUE(problemPlaces().filter("hmi/texts.csv:2").isEmpty()) << problemPlaces().join(" | ").toStdString();
+    write("hmi/overview.panel.json", panelWith("again"));
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().find("overview") != nullptr; }));
+    EXPECT_TRUE(place->isHidden());
 }
 
 TEST_F(DiskChangeTest, ATableThatCouldNotBeReadIsNotWrittenOver) {
