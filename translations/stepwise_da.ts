@@ -9018,6 +9018,10 @@ Under Problemer står, hvad der er galt; et dobbeltklik der åbner filen som tek
         <source>Users and Rights</source>
         <translation>Brugere og rettigheder</translation>
     </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 er væk eller kan ikke nås: det åbne bliver her, og Gem alle skriver det igen</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>

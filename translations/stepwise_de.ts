@@ -9018,6 +9018,10 @@ Unter Probleme steht, was falsch ist; ein Doppelklick dort öffnet die Datei als
         <source>Users and Rights</source>
         <translation>Benutzer und Rechte</translation>
     </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 ist verschwunden oder nicht erreichbar: Was geöffnet ist, bleibt hier, und „Alle speichern“ schreibt es neu</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>

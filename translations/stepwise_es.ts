@@ -9018,6 +9018,10 @@ En Problemas se indica qué falla; un doble clic allí abre el archivo como text
         <source>Users and Rights</source>
         <translation>Usuarios y permisos</translation>
     </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 ha desaparecido o no está accesible: lo abierto permanece aquí y Guardar todo lo escribe de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>

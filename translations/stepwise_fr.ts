@@ -9018,6 +9018,10 @@ Problèmes indique ce qui ne va pas ; un double-clic y ouvre le fichier en tex
         <source>Users and Rights</source>
         <translation>Utilisateurs et droits</translation>
     </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 a disparu ou n’est pas accessible : ce qui est ouvert reste ici et Enregistrer tout l’écrit à nouveau</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>

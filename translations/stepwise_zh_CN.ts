@@ -9012,6 +9012,10 @@ Problems says what is wrong; a double click there opens the file as text.</sourc
         <source>Users and Rights</source>
         <translation>用户和权限</translation>
     </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 已消失或无法访问：已打开的内容保留在此，“全部保存”会重新写入</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>

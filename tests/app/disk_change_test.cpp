@@ -16,6 +16,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QMessageBox>
+#include <QStatusBar>
 #include <QTimer>
 #include <QTreeWidget>
 #include <Qsci/qsciscintilla.h>
@@ -283,6 +284,26 @@ TEST_F(DiskChangeTest, ATableThatCouldNotBeReadIsNotWrittenOver) {
     answerNext("keepMine"); // asked what is to become of the file
     (void)window->panelFiles().save("texts");
     EXPECT_FALSE(onDisk("hmi/texts.csv").isEmpty());
+}
+
+TEST_F(DiskChangeTest, AProjectThatIsRemovedWhileOpenStaysInTheWindowAndSaveAllWritesItAgain) {
+    ASSERT_TRUE(QDir(folder.path()).removeRecursively());
+    ASSERT_TRUE(waitFor([&] { return window->workspace().isModified("src/main.st"); }));
+    ASSERT_TRUE(waitFor([&] { return window->statusBar()->currentMessage().contains("Save All"); }))
+        << window->statusBar()->currentMessage().toStdString();
+    EXPECT_EQ(window->workspace().text("src/main.st"), kMain);
+    ASSERT_NE(window->tabs().currentEditor(), nullptr);
+    EXPECT_EQ(editor().file(), "src/main.st");
+    EXPECT_EQ(shownText(), "first");
+    window->action("file.saveAll")->trigger();
+    EXPECT_EQ(onDisk("src/main.st"), kMain);
+    EXPECT_FALSE(window->workspace().isModified("src/main.st"));
+    EXPECT_TRUE(onDisk("project.json").contains("\"Test\""));
+    EXPECT_TRUE(onDisk("hmi/overview.panel.json").contains("first"));
+    EXPECT_TRUE(onDisk("hmi/texts.csv").contains("Halt"));
+    write("hmi/another.panel.json", panelWith("later")); // looked at again from now on
+    EXPECT_TRUE(waitFor([&] { return window->live().panels().find("another") != nullptr; }));
+    EXPECT_EQ(shownText(), "first");
 }
 
 TEST_F(DiskChangeTest, MergingTakesWhatIsWantedOfBoth) {

@@ -1,6 +1,7 @@
 #include "hmi/designer/context/dropped_structure.h"
 
 #include "hmi/model/faceplate.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/station/program_facts.h"
 
 #include <algorithm>
