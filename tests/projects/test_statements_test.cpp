@@ -53,8 +53,8 @@ TEST(Cancelling, EndsATestAtOnceInTheMiddleOfWhateverItDoes) {
         options.progress = [&](const TestResult&) { isBegun = true; };
         std::thread canceller([&] {
             while (!isBegun) std::this_thread::yield();
-            std::this_thread::sleep_for(
-                std::chrono::milliseconds(200)); // a duration: of the second test, into its work
+            // a duration: of the second test, into its work
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
             asked = processorSeconds();
             work.cancel();
         });
