@@ -4,6 +4,7 @@
 #include "app/main_window.h"
 #include "app/settings/settings.h"
 #include "app/settings/translation.h"
+#include "app/start/start_page.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 
@@ -68,7 +69,8 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     plc::app::KeptSize::keep(*window, size); // all docks at once took more while it was made
     if (!folder.isEmpty()) window->openProject(folder);
     if (!recording.isEmpty()) window->showRecording(recording);
-    if (!settings.sawTour()) QTimer::singleShot(400, window.get(), &plc::app::MainWindow::startTour);
+    const bool hasTour = window->workspace().isOpen() || !plc::app::StartPage::examplesInstalled().isEmpty();
+    if (hasTour && !settings.sawTour()) QTimer::singleShot(400, window.get(), &plc::app::MainWindow::startTour);
     for (;;) { // once, and again for each change of the language
         bool changesLanguage = false;
         QObject::connect(window.get(), &plc::app::MainWindow::rebuildRequested, &application, [&changesLanguage] {

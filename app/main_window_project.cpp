@@ -322,7 +322,12 @@ QStringList MainWindow::tourExpressions() const {
 
 void MainWindow::startTour() {
     if (!m_workspace->isOpen()) {
-        if (!openExample(StartPage::examplesFolder() + "/pid_pt1", false)) return;
+        const QStringList examples = StartPage::examplesInstalled();
+        if (examples.isEmpty())
+            return say(tr("The tour runs on an example, and none is installed: open or create a project and start the "
+                          "tour again"),
+                       true);
+        if (!openExample(examples.front(), false)) return;
     }
     auto* tour = new Tour(
         studioTour({GuideView::summaryOf(m_workspace->folder()), QString::fromStdString(m_workspace->project().name),

@@ -7756,6 +7756,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
+        <source>No panel can be read: %1.
+Problems says what is wrong; a double click there opens the file as text.</source>
+        <translation>Intet panel kan læses: %1.
+Under Problemer står, hvad der er galt; et dobbeltklik der åbner filen som tekst.</translation>
+    </message>
+    <message>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>Alarmhistorikken holdes kun i hukommelsen: %1</translation>
     </message>
@@ -8491,6 +8497,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet har ingen anden fil</translation>
     </message>
     <message>
+        <source>The tour runs on an example, and none is installed: open or create a project and start the tour again</source>
+        <translation>Rundturen bruger et eksempel, og der er ikke installeret noget: åbn eller opret et projekt, og start rundturen igen</translation>
+    </message>
+    <message>
         <source>Open Another File Beside</source>
         <translation>Åbn en anden fil ved siden af</translation>
     </message>
@@ -9047,6 +9057,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Users and Rights</source>
         <translation>Brugere og rettigheder</translation>
+    </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 er væk eller kan ikke nås: det åbne bliver her, og Gem alle skriver det igen</translation>
     </message>
 </context>
 <context>
@@ -9693,6 +9707,16 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Eksempler: åbn et, og tryk Kør</translation>
+    </message>
+    <message>
+        <source>No examples were found in:
+%1
+
+Install the examples, or set the environment variable STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.</source>
+        <translation>Der blev ikke fundet eksempler i:
+%1
+
+Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den mappe, de ligger i, og start Stepwise igen.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11848,6 +11872,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Bind</source>
         <translation>Bind</translation>
+    </message>
+    <message>
+        <source>%1 has no single value: drop one of its members, or first draw a panel with a parameter of the type %2</source>
+        <translation>%1 har ikke én enkelt værdi: træk et af dens medlemmer hertil, eller tegn først et panel med en parameter af typen %2</translation>
     </message>
     <message>
         <source>Place in cell</source>

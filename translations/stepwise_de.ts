@@ -7756,6 +7756,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
+        <source>No panel can be read: %1.
+Problems says what is wrong; a double click there opens the file as text.</source>
+        <translation>Kein Panel kann gelesen werden: %1.
+Unter Probleme steht, was falsch ist; ein Doppelklick dort öffnet die Datei als Text.</translation>
+    </message>
+    <message>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>Die Alarmhistorie bleibt nur im Speicher erhalten: %1</translation>
     </message>
@@ -8491,6 +8497,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt hat keine andere Datei</translation>
     </message>
     <message>
+        <source>The tour runs on an example, and none is installed: open or create a project and start the tour again</source>
+        <translation>Der Rundgang braucht ein Beispiel, und es ist keines installiert: Öffnen oder erstellen Sie ein Projekt und starten Sie den Rundgang erneut</translation>
+    </message>
+    <message>
         <source>Open Another File Beside</source>
         <translation>Andere Datei daneben öffnen</translation>
     </message>
@@ -9047,6 +9057,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Users and Rights</source>
         <translation>Benutzer und Rechte</translation>
+    </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 ist verschwunden oder nicht erreichbar: Was geöffnet ist, bleibt hier, und „Alle speichern“ schreibt es neu</translation>
     </message>
 </context>
 <context>
@@ -9693,6 +9707,16 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Beispiele: eines öffnen und Start drücken</translation>
+    </message>
+    <message>
+        <source>No examples were found in:
+%1
+
+Install the examples, or set the environment variable STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.</source>
+        <translation>Keine Beispiele gefunden in:
+%1
+
+Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EXAMPLES auf den Ordner, der sie enthält, und starten Sie Stepwise neu.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11848,6 +11872,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Bind</source>
         <translation>Verknüpfen</translation>
+    </message>
+    <message>
+        <source>%1 has no single value: drop one of its members, or first draw a panel with a parameter of the type %2</source>
+        <translation>%1 hat keinen einzelnen Wert: Ziehen Sie eines seiner Elemente hierher, oder zeichnen Sie zuerst ein Panel mit einem Parameter vom Typ %2</translation>
     </message>
     <message>
         <source>Place in cell</source>

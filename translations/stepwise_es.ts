@@ -7756,6 +7756,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</translation>
     </message>
     <message>
+        <source>No panel can be read: %1.
+Problems says what is wrong; a double click there opens the file as text.</source>
+        <translation>No se puede leer ningún panel: %1.
+En Problemas se indica qué falla; un doble clic allí abre el archivo como texto.</translation>
+    </message>
+    <message>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>El historial de alarmas solo se conserva en memoria: %1</translation>
     </message>
@@ -8491,6 +8497,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El proyecto no tiene otro archivo</translation>
     </message>
     <message>
+        <source>The tour runs on an example, and none is installed: open or create a project and start the tour again</source>
+        <translation>El recorrido usa un ejemplo y no hay ninguno instalado: abra o cree un proyecto e inicie el recorrido de nuevo</translation>
+    </message>
+    <message>
         <source>Open Another File Beside</source>
         <translation>Abrir otro archivo al lado</translation>
     </message>
@@ -9047,6 +9057,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Users and Rights</source>
         <translation>Usuarios y permisos</translation>
+    </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 ha desaparecido o no está accesible: lo abierto permanece aquí y Guardar todo lo escribe de nuevo</translation>
     </message>
 </context>
 <context>
@@ -9693,6 +9707,16 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Ejemplos: abra uno y pulse Ejecutar</translation>
+    </message>
+    <message>
+        <source>No examples were found in:
+%1
+
+Install the examples, or set the environment variable STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.</source>
+        <translation>No se encontraron ejemplos en:
+%1
+
+Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carpeta que los contiene y vuelva a iniciar Stepwise.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11848,6 +11872,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Bind</source>
         <translation>Vincular</translation>
+    </message>
+    <message>
+        <source>%1 has no single value: drop one of its members, or first draw a panel with a parameter of the type %2</source>
+        <translation>%1 no tiene un valor único: suelte uno de sus miembros o dibuje antes un panel con un parámetro del tipo %2</translation>
     </message>
     <message>
         <source>Place in cell</source>

@@ -7756,6 +7756,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, Nouveau…</translation>
     </message>
     <message>
+        <source>No panel can be read: %1.
+Problems says what is wrong; a double click there opens the file as text.</source>
+        <translation>Aucune vue n’est lisible&#xa0;: %1.
+Problèmes indique ce qui ne va pas&#x202f;; un double-clic y ouvre le fichier en texte.</translation>
+    </message>
+    <message>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>L’historique des alarmes n’est conservé qu’en mémoire&#xa0;: %1</translation>
     </message>
@@ -8491,6 +8497,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le projet n’a pas d’autre fichier</translation>
     </message>
     <message>
+        <source>The tour runs on an example, and none is installed: open or create a project and start the tour again</source>
+        <translation>La visite guidée utilise un exemple et aucun n’est installé&#xa0;: ouvrez ou créez un projet et relancez la visite guidée</translation>
+    </message>
+    <message>
         <source>Open Another File Beside</source>
         <translation>Ouvrir un autre fichier à côté</translation>
     </message>
@@ -9047,6 +9057,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Users and Rights</source>
         <translation>Utilisateurs et droits</translation>
+    </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 a disparu ou n’est pas accessible&#xa0;: ce qui est ouvert reste ici et Enregistrer tout l’écrit à nouveau</translation>
     </message>
 </context>
 <context>
@@ -9693,6 +9707,16 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Exemples&#xa0;: ouvrez-en un et lancez l’exécution</translation>
+    </message>
+    <message>
+        <source>No examples were found in:
+%1
+
+Install the examples, or set the environment variable STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.</source>
+        <translation>Aucun exemple trouvé dans&#xa0;:
+%1
+
+Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMPLES le dossier qui les contient, puis redémarrez Stepwise.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11848,6 +11872,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Bind</source>
         <translation>Lier</translation>
+    </message>
+    <message>
+        <source>%1 has no single value: drop one of its members, or first draw a panel with a parameter of the type %2</source>
+        <translation>%1 n’a pas de valeur unique&#xa0;: déposez l’un de ses membres ou dessinez d’abord une vue avec un paramètre du type %2</translation>
     </message>
     <message>
         <source>Place in cell</source>

@@ -7750,6 +7750,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 新画面在设计器中绘制：项目、画面、新建…</translation>
     </message>
     <message>
+        <source>No panel can be read: %1.
+Problems says what is wrong; a double click there opens the file as text.</source>
+        <translation>无法读取任何画面：%1。
+“问题”中说明了错误所在；在那里双击可将文件作为文本打开。</translation>
+    </message>
+    <message>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>报警历史仅保存在内存中：%1</translation>
     </message>
@@ -8485,6 +8491,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>项目没有其他文件</translation>
     </message>
     <message>
+        <source>The tour runs on an example, and none is installed: open or create a project and start the tour again</source>
+        <translation>导览需要一个示例，但尚未安装任何示例：请打开或新建一个项目，然后重新开始导览</translation>
+    </message>
+    <message>
         <source>Open Another File Beside</source>
         <translation>在旁边打开其他文件</translation>
     </message>
@@ -9041,6 +9051,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Users and Rights</source>
         <translation>用户和权限</translation>
+    </message>
+    <message>
+        <source>%1 is gone or cannot be reached: what is open stays here, and Save All writes it again</source>
+        <translation>%1 已消失或无法访问：已打开的内容保留在此，“全部保存”会重新写入</translation>
     </message>
 </context>
 <context>
@@ -9683,6 +9697,16 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Examples: open one and press Run</source>
         <translation>示例：打开一个并按“运行”</translation>
+    </message>
+    <message>
+        <source>No examples were found in:
+%1
+
+Install the examples, or set the environment variable STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.</source>
+        <translation>在以下位置未找到示例：
+%1
+
+请安装示例，或将环境变量 STEPWISE_EXAMPLES 设为示例所在的文件夹，然后重新启动 Stepwise。</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11832,6 +11856,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Bind</source>
         <translation>绑定</translation>
+    </message>
+    <message>
+        <source>%1 has no single value: drop one of its members, or first draw a panel with a parameter of the type %2</source>
+        <translation>%1 没有单一的值：请拖放它的一个成员，或先绘制一个带有类型 %2 参数的画面</translation>
     </message>
     <message>
         <source>Place in cell</source>

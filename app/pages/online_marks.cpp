@@ -2,6 +2,7 @@
 
 #include "app/pages/editor_tabs.h"
 #include "app/pages/instance_bar.h"
+#include "app/pages/zero_divisor.h"
 #include "editor/kit/message_text.h"
 #include "runtime/compiler/driver/driver.h"
 
@@ -119,6 +120,16 @@ void OnlineMarks::showWalk(std::optional<editor::RunControl::TextPlace> place) {
     showExecutedLine();
 }
 
+/// What a question about the fault is about, so that Why? asks just that.
+void OnlineMarks::selectCause(uint32_t statement, uint32_t length) {
+    StEditor* editor = m_tabs.currentEditor();
+    if (!editor || m_control.status().fault->code != image::FaultCode::DivisionByZero) return;
+    const std::string text = editor->utf8();
+    if (statement + length > text.size()) return;
+    if (const auto divisor = zeroDivisor(std::string_view(text).substr(statement, length)))
+        editor->goTo(statement + divisor->first, divisor->second);
+}
+
 /// Where the controller stands: at a breakpoint, after a step, or where a fault has stopped it.
 void OnlineMarks::showExecutedLine() {
     using controller::State;
@@ -140,6 +151,7 @@ void OnlineMarks::showExecutedLine() {
     if (line && isNew) {
         const QPointer<QWidget> focus = QApplication::focusWidget(); // who types elsewhere goes on there
         m_tabs.goToLine(file, line);
+        if (state == State::Fault) selectCause(place->offset, range.end - range.begin);
         if (focus && !m_tabs.isAncestorOf(focus)) focus->setFocus();
     }
     for (StEditor* editor : m_tabs.editors()) {

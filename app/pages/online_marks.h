@@ -27,6 +27,7 @@ public:
 private:
     void refreshValues();
     void showInstance(StPage& page); // whose values its text shows
+    void selectCause(uint32_t statement, uint32_t length);
 
     EditorTabs& m_tabs;
     editor::Workspace& m_workspace;

@@ -6,6 +6,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/workspace/path_completion.h"
 #include "hmi/alarms/alarm_export.h"
+#include "hmi/station/unread_panels.h"
 #include "hmi/texts/language_tags.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -22,6 +23,23 @@
 #include <algorithm>
 
 namespace plc::app {
+
+namespace {
+
+/// In the place of the panel, where there is none to show.
+void sayWhyEmpty(QWidget& place, const hmi::PanelProject& project) {
+    const QStringList unread = hmi::unreadPanels(project);
+    if (auto* label = qobject_cast<QLabel*>(&place))
+        label->setText(unread.isEmpty()
+                           ? LiveViews::tr("This project has no panel yet.\nNew panels are drawn in the designer: "
+                                           "Project, Panels, New…")
+                           : LiveViews::tr("No panel can be read: %1.\nProblems says what is wrong; a double click "
+                                           "there opens the file as text.")
+                                 .arg(unread.join(QStringLiteral(", "))));
+    place.setVisible(project.panels.empty());
+}
+
+} // namespace
 
 LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent)
     : QObject(parent), m_workspace(workspace), m_control(control) {
@@ -41,8 +59,8 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
             });
     connect(bar->addAction(kit::icon(kit::Icon::Export), tr("Export the alarm history…")), &QAction::triggered, this,
             &LiveViews::exportAlarms);
-    auto* none = new QLabel(
-        tr("This project has no panel yet.\nNew panels are drawn in the designer: Project, Panels, New…"), m_panelArea);
+    auto* none = new QLabel(m_panelArea);
+    none->setObjectName(QStringLiteral("noPanel"));
     none->setAlignment(Qt::AlignCenter);
     none->setWordWrap(true);
     m_emptyPanel = none;
@@ -111,7 +129,7 @@ void LiveViews::projectClosed() {
     m_panels = std::make_shared<hmi::PanelProject>();
     m_alarmsInMemory.clear();
     m_panelChoice->clear();
-    m_emptyPanel->show();
+    sayWhyEmpty(*m_emptyPanel, *m_panels);
     m_trace->setSetup({});
     m_slider->variable()->clear();
 }
@@ -159,7 +177,7 @@ void LiveViews::takeSettings() {
 
 /// Shows the start panel, where there is a panel at all.
 void LiveViews::makePlayer() {
-    m_emptyPanel->setVisible(m_panels->panels.empty());
+    sayWhyEmpty(*m_emptyPanel, *m_panels);
     if (m_panels->panels.empty()) return;
     m_player = new hmi::PanelPlayer(*m_panels, m_control.session(), m_panelArea);
     m_player->setAccessibleName(tr("Panel"));
@@ -242,7 +260,7 @@ void LiveViews::restore(Kept kept) {
     m_trace->setFolder(m_workspace.folder() + "/traces");
     for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
     if (m_design) connectDesign();
-    m_emptyPanel->setVisible(m_panels->panels.empty());
+    sayWhyEmpty(*m_emptyPanel, *m_panels);
     if (kept.player) {
         m_player = kept.player.release();
         connectPlayer();
@@ -443,7 +461,7 @@ void LiveViews::removePanel(const QString& name) {
     m_panels->disk->forget(m_panels->panelPath(name));
     std::erase_if(m_panels->panels, [&](const hmi::NamedPanel& each) { return each.name == name; });
     if (m_panels->panels.empty()) delete m_player;
-    m_emptyPanel->setVisible(m_panels->panels.empty());
+    sayWhyEmpty(*m_emptyPanel, *m_panels);
     if (m_player && m_player->panelName() == name) showPanel(m_panels->panels.front().name);
     listPanels();
     panelsTaken();

@@ -1,6 +1,7 @@
 #include "app/panels/panel_files.h"
 
 #include "editor/kit/message_text.h"
+#include "editor/workspace/project_gone.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -51,7 +52,11 @@ PanelFiles::PanelFiles(editor::Workspace& workspace, LiveViews& live, Ask ask, Q
         watch();
     });
     connect(&live, &LiveViews::designEdited, this, &PanelFiles::report);
-    connect(&workspace, &editor::Workspace::opened, this, &PanelFiles::watch);
+    connect(&workspace, &editor::Workspace::opened, this, [this] {
+        m_isGone = false;
+        watch();
+    });
+    connect(&workspace, &editor::Workspace::saved, this, &PanelFiles::writeAgain);
 }
 
 QString PanelFiles::titleOf(const Key& key) {
@@ -135,8 +140,37 @@ void PanelFiles::watch() {
     m_watcher.addPaths(paths);
 }
 
+void PanelFiles::writeAgain() {
+    if (!std::exchange(m_isGone, false)) return;
+    const hmi::PanelProject& panels = m_live.panels();
+    for (const Key& key : known()) {
+        if (QFileInfo::exists(pathOf(key))) continue;
+        Result<void> written;
+        if (const hmi::NamedPanel* panel = panels.find(panelOf(key)))
+            written = hmi::savePanel(panels, *panel);
+        else if (key == kTexts && panels.hasTexts)
+            written = hmi::saveTexts(panels);
+        else if (key == kAlarms && panels.hasAlarms)
+            written = hmi::saveAlarms(panels);
+        else if (key == kRecipes && !panels.recipes.recipes().empty())
+            written = hmi::saveRecipes(panels, panels.recipes);
+        else if (key == kPeople && !panels.people.isEmpty())
+            written = hmi::savePeople(panels);
+        if (!written) emit message(kit::messageText(written.error()), true);
+    }
+    watch();
+}
+
 void PanelFiles::look() {
     if (!m_workspace.isOpen() || m_isAsking) return;
+    if (editor::isProjectGone(m_workspace.project())) {
+        if (!std::exchange(m_isGone, true))
+            emit message(tr("%1 is gone or cannot be reached: what is open stays here, and Save All writes it again")
+                             .arg(QDir::toNativeSeparators(m_workspace.folder())),
+                         true);
+        return;
+    }
+    m_isGone = false; // it is back
     m_isAsking = true;
     const bool isOther = lookForPanels();
     for (const Key& key : known()) lookAt(key);

@@ -54,6 +54,8 @@ private:
     bool takeMerged(const Key& key, const std::string& text);
     bool lookForPanels();
     void report();
+    /// What was in a folder that is gone, once something is saved into it again.
+    void writeAgain();
     Result<void> write(const Key& key);
 
     editor::Workspace& m_workspace;
@@ -64,6 +66,7 @@ private:
     std::map<Key, bool> m_reported;
     std::map<Key, std::string> m_postponed; // of these bytes all is known
     bool m_isAsking = false;
+    bool m_isGone = false; // the project's folder, and nothing was written to it since
 };
 
 } // namespace plc::app

@@ -53,13 +53,6 @@ QString summaryOf(const QString& folder) {
     return {};
 }
 
-QPixmap pictureOf(const QString& folder) {
-    for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"})
-        if (const QPixmap picture(folder + name); !picture.isNull())
-            return picture.scaledToWidth(2 * kCardWidth, Qt::SmoothTransformation); // lines stay lines
-    return {};
-}
-
 /// A card: picture, name, one line about it.
 class CardDelegate : public QStyledItemDelegate {
 public:
@@ -184,12 +177,20 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     left->addSpacing(14);
     left->addWidget(button(kit::Icon::New, tr("New Project…"), &StartPage::newRequested));
     left->addWidget(button(kit::Icon::Open, tr("Open Project…"), &StartPage::openRequested));
-    left->addWidget(button(kit::Icon::Help, tr("Take the Tour"), &StartPage::tourRequested));
+    m_tour = button(kit::Icon::Help, tr("Take the Tour"), &StartPage::tourRequested);
+    left->addWidget(m_tour);
     left->addSpacing(14);
     left->addWidget(heading(tr("Recent"), this));
     left->addWidget(m_recent, 1);
+    m_examplesHeading = heading({}, this);
+    m_noExamples = new QLabel(this);
+    m_noExamples->setObjectName(QStringLiteral("noExamples"));
+    m_noExamples->setWordWrap(true);
+    m_noExamples->setTextFormat(Qt::PlainText);
+    m_noExamples->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* right = new QVBoxLayout;
-    right->addWidget(heading(tr("Examples: open one and press Run"), this));
+    right->addWidget(m_examplesHeading);
+    right->addWidget(m_noExamples);
     right->addWidget(m_examples, 1);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(28, 24, 20, 16);
@@ -199,33 +200,74 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     reload();
 }
 
-QString StartPage::examplesFolder() {
-    if (const QString wanted = qEnvironmentVariable("STEPWISE_EXAMPLES"); !wanted.isEmpty())
-        return wanted; // packages that keep them elsewhere
+namespace {
+
+/// Where they may be; a package that keeps them elsewhere names the one folder.
+QStringList placesOfExamples() {
+    if (const QString wanted = qEnvironmentVariable("STEPWISE_EXAMPLES"); !wanted.isEmpty()) return {wanted};
     const QString beside = QCoreApplication::applicationDirPath();
-    for (const QString& candidate : {beside + "/../../../projects/examples", beside + "/../share/stepwise/examples",
-                                     QDir::currentPath() + "/projects/examples"})
+    return {beside + "/../../../projects/examples", beside + "/../share/stepwise/examples",
+            QDir::currentPath() + "/projects/examples"};
+}
+
+} // namespace
+
+QString StartPage::examplesFolder() {
+    for (const QString& candidate : placesOfExamples())
         if (QDir(candidate).exists()) return QDir(candidate).canonicalPath();
+    return {};
+}
+
+QStringList StartPage::examplesInstalled() {
+    const QString folder = examplesFolder();
+    if (folder.isEmpty()) return {};
+    QStringList names = QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name), out;
+    if (names.removeAll("pid_pt1")) names.prepend("pid_pt1"); // the one to begin with
+    for (const QString& name : names)
+        if (const QString project = folder + "/" + name; QFile::exists(project + "/project.json")) out << project;
+    return out;
+}
+
+QString StartPage::whyNoExamples() {
+    QStringList places;
+    for (const QString& place : placesOfExamples()) {
+        const QString shown = QDir::toNativeSeparators(QDir::cleanPath(QDir(place).absolutePath()));
+        if (!places.contains(shown)) places << shown;
+    }
+    return tr("No examples were found in:\n%1\n\nInstall the examples, or set the environment variable "
+              "STEPWISE_EXAMPLES to the folder that contains them, and start Stepwise again.")
+        .arg(places.join('\n'));
+}
+
+/// Read once, and again when its file is another one: all of them together take longer than closing a project may.
+QPixmap StartPage::pictureOf(const QString& folder) {
+    for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"}) {
+        const QFileInfo file(folder + name);
+        if (!file.exists()) continue;
+        Picture& kept = m_pictures[file.filePath()];
+        if (kept.changed != file.lastModified() || kept.bytes != file.size()) {
+            QPixmap whole(file.filePath());
+            if (!whole.isNull())
+                whole = whole.scaledToWidth(2 * kCardWidth, Qt::SmoothTransformation); // lines stay lines
+            kept = {file.lastModified(), file.size(), whole};
+        }
+        if (!kept.picture.isNull()) return kept.picture;
+    }
     return {};
 }
 
 void StartPage::reload() {
     m_recent->clear();
     for (const QString& folder : m_settings.recentProjects()) {
-        const QString name =
-            exampleTitle(titleOf(folder)) + QChar::LineSeparator + QDir::toNativeSeparators(QFileInfo(folder).path());
+        const QString name = exampleTitle(titleOf(folder)) + QChar::LineSeparator +
+                             QDir::toNativeSeparators(folder); // copies of one example have one name
         auto* item = new QListWidgetItem(kit::icon(kit::Icon::Project), name, m_recent);
         item->setToolTip(folder);
         item->setData(Qt::UserRole, folder);
     }
     m_examples->clear();
-    const QString folder = examplesFolder();
-    if (folder.isEmpty()) return;
-    QStringList names = QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
-    if (names.removeAll("pid_pt1")) names.prepend("pid_pt1"); // the one to begin with
-    for (const QString& name : names) {
-        const QString project = folder + "/" + name;
-        if (!QFile::exists(project + "/project.json")) continue;
+    const QStringList projects = examplesInstalled();
+    for (const QString& project : projects) {
         const QString summary = summaryOf(project);
         auto* item = new QListWidgetItem(exampleTitle(titleOf(project)), m_examples);
         item->setData(Qt::UserRole, project);
@@ -233,6 +275,13 @@ void StartPage::reload() {
         item->setData(Qt::UserRole + 2, summary);
         item->setToolTip(summary);
     }
+    // Without them nothing is offered that cannot be opened: the tour runs on an example.
+    const bool any = !projects.isEmpty();
+    m_examplesHeading->setText(any ? tr("Examples: open one and press Run") : tr("Examples"));
+    m_noExamples->setText(any ? QString() : whyNoExamples());
+    m_noExamples->setHidden(any);
+    m_examples->setEnabled(any);
+    m_tour->setVisible(any);
 }
 
 } // namespace plc::app

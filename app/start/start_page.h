@@ -1,8 +1,14 @@
 // What the window shows without a project: recent projects and the shipped examples, a picture each. Owned by the main
 // window; GUI thread.
 #pragma once
+#include <QDateTime>
+#include <QHash>
 #include <QListWidget>
+#include <QPixmap>
 #include <QWidget>
+
+class QLabel;
+class QPushButton;
 
 namespace plc::app {
 
@@ -14,6 +20,10 @@ public:
     StartPage(Settings& settings, QWidget* parent = nullptr);
     void reload();
     [[nodiscard]] static QString examplesFolder(); // "" when there is none
+    /// The folders of those that can be opened, the one to begin with first.
+    [[nodiscard]] static QStringList examplesInstalled();
+    /// Where they were looked for in vain, and what to do.
+    [[nodiscard]] static QString whyNoExamples();
     [[nodiscard]] QListWidget& examples() { return *m_examples; }
 
 signals:
@@ -25,9 +35,20 @@ signals:
     void tourRequested();
 
 private:
+    struct Picture {
+        QDateTime changed;
+        qint64 bytes = -1;
+        QPixmap picture;
+    };
+    QPixmap pictureOf(const QString& folder);
+
     Settings& m_settings;
+    QHash<QString, Picture> m_pictures; // by file
     QListWidget* m_recent;
     QListWidget* m_examples;
+    QLabel* m_examplesHeading;
+    QLabel* m_noExamples;
+    QPushButton* m_tour;
 };
 
 } // namespace plc::app

@@ -41,6 +41,7 @@ void ShownRun::refresh() {
     if (!run) return;
     if (!m_viewed && run->isLive()) {
         session::Snapshot newest;
+        newest.image = std::move(m_now.image); // new memory for a large image takes longer than the copy
         run->latest(newest);
         m_now = {std::move(newest.image), newest.program ? std::move(newest.program) : run->program()};
         return;

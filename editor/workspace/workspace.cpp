@@ -1,6 +1,7 @@
 #include "editor/workspace/workspace.h"
 
 #include "editor/kit/post.h"
+#include "editor/workspace/project_gone.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 
@@ -172,6 +173,10 @@ Result<void> Workspace::save(const QString& file, ReadOnly readOnly) {
         readDiskChange(absolutePath(file));
         return Error{errors::FileChangedOutside(), toStd(file)};
     }
+    if (isProjectGone(*m_project)) {
+        QDir().mkpath(QFileInfo(absolutePath(file)).path());
+        if (auto written = projects::saveProjectFile(*m_project); !written) return written;
+    }
     if (auto written = projects::writeSourceText(toStd(absolutePath(file)), it->second.text); !written) return written;
     const bool was = isModified(file);
     it->second.onDisk = it->second.text;
@@ -305,6 +310,14 @@ void Workspace::readDiskChange(const QString& absolute) {
 
 void Workspace::readFolderChange() {
     if (!m_project) return;
+    if (isProjectGone(*m_project)) { // what is open is all that is left of it
+        for (auto& [file, content] : m_files) {
+            if (QFile::exists(absolutePath(file)) || content.onDisk.empty()) continue;
+            content.onDisk.clear();
+            emit modificationChanged(file, isModified(file));
+        }
+        return;
+    }
     const auto project = projects::openProject({toStd(folder())});
     if (!project) return; // half-written; the next change tells
     if (project->json != m_project->json) {

@@ -9,6 +9,7 @@
 #include "hmi/model/walk.h"
 #include "hmi/view/element_factory.h"
 
+#include <QDir>
 #include <QFontDatabase>
 #include <QFontMetrics>
 #include <QSet>
@@ -309,15 +310,47 @@ QString Finding::text() const {
            QStringLiteral(": ") + QString::fromStdString(message.english());
 }
 
+namespace {
+
+/// On disk and not among the panels: their files have a finding of their own, and what they say and use is unknown.
+QStringList unreadPanels(const CheckInput& input) {
+    QStringList out;
+    if (input.folder.isEmpty()) return out;
+    const QString ending = QStringLiteral(".panel.json");
+    for (const QString& file :
+         QDir(input.folder + QStringLiteral("/hmi")).entryList({u'*' + ending}, QDir::Files, QDir::Name)) {
+        const QString name = file.chopped(ending.size());
+        if (std::none_of(input.panels.begin(), input.panels.end(),
+                         [&](const NamedPanel& one) { return one.name == name; }))
+            out += name;
+    }
+    return out;
+}
+
+/// What seems to be missing or unused only because a panel could not be read.
+void dropFollowUps(std::vector<Finding>& found, const CheckInput& input) {
+    const QStringList unread = unreadPanels(input);
+    if (unread.isEmpty()) return;
+    std::erase_if(found, [&](const Finding& one) {
+        if (one.kind == FindingKind::OrphanKey) return true;
+        if (one.kind != FindingKind::UnknownPanel) return false;
+        return std::any_of(unread.begin(), unread.end(),
+                           [&](const QString& name) { return one.message == errors::NoPanel(toUtf8(name)); });
+    });
+}
+
+} // namespace
+
 std::vector<Finding> checkPanels(const CheckInput& input) {
     Checker checker{input, {}, {}};
     for (const NamedPanel& panel : input.panels) checker.checkPanel(panel);
     if (input.hasAlarms) checker.checkAlarms();
     checker.append(checkApplication(input));
-    checker.append(checkStandardOfAll(input));
+    if (unreadPanels(input).isEmpty()) checker.append(checkStandardOfAll(input));
     checker.checkTable();
     checker.checkFonts();
     for (const NamedPanel& panel : input.panels) checker.checkFit(panel);
+    dropFollowUps(checker.found, input);
     return checker.found;
 }
 
@@ -326,9 +359,11 @@ std::vector<Finding> checkPanel(const CheckInput& input, const NamedPanel& panel
     checker.checkPanel(panel);
     checker.checkFit(panel);
     // What all panels say of this one: its way, its keys' places.
-    std::vector<Finding> ofAll = checkStandardOfAll(input);
+    std::vector<Finding> ofAll;
+    if (unreadPanels(input).isEmpty()) ofAll = checkStandardOfAll(input);
     std::erase_if(ofAll, [&](const Finding& one) { return one.file != panelFile(panel.name); });
     checker.append(std::move(ofAll));
+    dropFollowUps(checker.found, input);
     return checker.found;
 }
 

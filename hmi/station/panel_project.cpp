@@ -2,6 +2,7 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/model/layout.h"
+#include "hmi/station/unread_panels.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -170,6 +171,12 @@ bool PanelProject::readPeople() {
     return isGood;
 }
 
+QStringList unreadPanels(const PanelProject& project) {
+    QStringList out = project.folder.isEmpty() ? QStringList() : panelsOnDisk(project.folder);
+    out.removeIf([&](const QString& name) { return project.find(name) != nullptr; });
+    return out;
+}
+
 QStringList panelsOnDisk(const QString& folder) {
     QStringList out;
     for (const QString& file :
@@ -222,7 +229,7 @@ void PanelProject::readSettings(const projects::Project& project) {
 }
 
 void PanelProject::findStartPanel() {
-    if (!startPanel.isEmpty() && !find(startPanel))
+    if (!startPanel.isEmpty() && !find(startPanel) && !unreadPanels(*this).contains(startPanel))
         problems.push_back({errors::NoPanel(toUtf8(startPanel)), "project.json"});
     startPanel = startOrFirst();
 }

@@ -338,7 +338,7 @@ void Session::latest(Snapshot& into) const {
         into.isHalted = false;
         return;
     }
-    (void)m->published.read([&](const Snapshot& newest) { into = newest; });
+    if (!m->published.read([&](const Snapshot& newest) { into = newest; })) into = {};
 }
 
 // ---------------------------------------------------------------- other programs, other times

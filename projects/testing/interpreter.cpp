@@ -94,6 +94,7 @@ Interpreter::Flow Interpreter::block(const syntax::Block& statements) {
 }
 
 Interpreter::Flow Interpreter::statement(const Stmt& at) {
+    if (isCancelled(m_watched)) return Flow::Stop;
     if (const std::string name = m_program.actionOf(at); !name.empty()) {
         const Flow flow = action(at, name);
         const std::string result = m_program.assertionResult(at);
@@ -210,6 +211,7 @@ Interpreter::Flow Interpreter::caseOf(const Stmt& at) {
 Interpreter::Flow Interpreter::loop(const Stmt& at) {
     const bool isWhile = at.kind == StmtKind::While;
     for (;;) {
+        if (isCancelled(m_watched)) return Flow::Stop; // its body may be empty
         if (++m_loopPasses > 10'000'000) return fail(at, errors::TestLoopEndless());
         if (isWhile) {
             const auto isTrue = condition(at.value, at);
@@ -242,6 +244,7 @@ Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
     const auto place = controller.program().layout.find(path);
     if (!place) return fail(at, place.error().message);
     for (int64_t i = *from; step > 0 ? i <= *to : i >= *to; i += step) {
+        if (isCancelled(m_watched)) return Flow::Stop;
         if (auto written = controller.write(path, Value{place->type, i}); !written)
             return fail(at, written.error().message);
         const Flow flow = block(at.body);

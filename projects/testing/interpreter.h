@@ -12,7 +12,7 @@ public:
     Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test,
                 const driver::Built& built, session::Session& session);
     void run(TestResult& result);
-    /// Ends the test at the next scan once that is cancelled; null: never.
+    /// Ends the test at the next statement or scan once that is cancelled; null: never.
     void cancelWith(const Progress* watched) { m_watched = watched; }
 
 private:

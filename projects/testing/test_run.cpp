@@ -5,6 +5,7 @@
 #include "projects/testing/interpreter.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
+#include "runtime/controller/leave_hook.h"
 
 #include <algorithm>
 #include <chrono>
@@ -107,6 +108,7 @@ Result<Report> runTests(const projects::Project& project, const Options& options
             continue;
         const auto begin = std::chrono::steady_clock::now();
         session::Session session(built, {});
+        controller::setLeaveHook(session.controller(), [&] { return isCancelled(options.watched); });
         if (options.coverage) coverage.attach(session.controller());
         TestResult result;
         result.title = test.title;

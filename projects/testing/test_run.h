@@ -59,7 +59,7 @@ struct Options {
     bool coverage = false;
     bool colours = false;
     std::string recordingFolder; // where a failing test leaves its recording; empty = none
-    Progress* watched = nullptr; // cancels between scans; the tests that had ended are reported
+    Progress* watched = nullptr; // cancels at once, in the middle of a scan too; the tests that had ended are reported
     std::function<void(const TestResult&)> progress;
     std::function<void(session::Session&)> finished; // after each test, with the recording of its scans
 };

@@ -14,7 +14,9 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QLabel>
 #include <QMessageBox>
+#include <QStatusBar>
 #include <QTimer>
 #include <QTreeWidget>
 #include <Qsci/qsciscintilla.h>
@@ -256,6 +258,23 @@ TEST_F(DiskChangeTest, ABrokenPanelOpensAsTextWithItsErrorAndComesBackWhenItIsPu
     EXPECT_TRUE(waitFor([&] { return problemPlaces().filter("hmi/broken.panel.json:").isEmpty(); }));
 }
 
+TEST_F(DiskChangeTest, TheDockSaysThatAPanelCannotBeReadAndNotThatThereIsNone) {
+    window->closeProject();
+    write("hmi/overview.panel.json", "{\n  \"elements\": [\n    oops\n");
+    ASSERT_TRUE(window->openProject(folder.path()));
+    const auto* place = window->findChild<QLabel*>("noPanel");
+    ASSERT_NE(place, nullptr);
+    EXPECT_FALSE(place->isHidden());
+    EXPECT_TRUE(place->text().contains("overview")) << place->text().toStdString();
+    EXPECT_FALSE(place->text().contains("no panel yet")) << place->text().toStdString();
+    ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/overview.panel.json:3").isEmpty(); }))
+        << problemPlaces().join(" | ").toStdString();
+    EXPECT_TRUE(problemPlaces().filter("hmi/texts.csv:2").isEmpty()) << problemPlaces().join(" | ").toStdString();
+    write("hmi/overview.panel.json", panelWith("again"));
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().find("overview") != nullptr; }));
+    EXPECT_TRUE(place->isHidden());
+}
+
 TEST_F(DiskChangeTest, ATableThatCouldNotBeReadIsNotWrittenOver) {
     write("hmi/texts.csv", "what is this\r\n");
     EXPECT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/texts.csv:1").isEmpty(); }));
@@ -265,6 +284,26 @@ TEST_F(DiskChangeTest, ATableThatCouldNotBeReadIsNotWrittenOver) {
     answerNext("keepMine"); // asked what is to become of the file
     (void)window->panelFiles().save("texts");
     EXPECT_FALSE(onDisk("hmi/texts.csv").isEmpty());
+}
+
+TEST_F(DiskChangeTest, AProjectThatIsRemovedWhileOpenStaysInTheWindowAndSaveAllWritesItAgain) {
+    ASSERT_TRUE(QDir(folder.path()).removeRecursively());
+    ASSERT_TRUE(waitFor([&] { return window->workspace().isModified("src/main.st"); }));
+    ASSERT_TRUE(waitFor([&] { return window->statusBar()->currentMessage().contains("Save All"); }))
+        << window->statusBar()->currentMessage().toStdString();
+    EXPECT_EQ(window->workspace().text("src/main.st"), kMain);
+    ASSERT_NE(window->tabs().currentEditor(), nullptr);
+    EXPECT_EQ(editor().file(), "src/main.st");
+    EXPECT_EQ(shownText(), "first");
+    window->action("file.saveAll")->trigger();
+    EXPECT_EQ(onDisk("src/main.st"), kMain);
+    EXPECT_FALSE(window->workspace().isModified("src/main.st"));
+    EXPECT_TRUE(onDisk("project.json").contains("\"Test\""));
+    EXPECT_TRUE(onDisk("hmi/overview.panel.json").contains("first"));
+    EXPECT_TRUE(onDisk("hmi/texts.csv").contains("Halt"));
+    write("hmi/another.panel.json", panelWith("later")); // looked at again from now on
+    EXPECT_TRUE(waitFor([&] { return window->live().panels().find("another") != nullptr; }));
+    EXPECT_EQ(shownText(), "first");
 }
 
 TEST_F(DiskChangeTest, MergingTakesWhatIsWantedOfBoth) {

@@ -1,6 +1,6 @@
 // kill -9 in the middle of a save: every file the studio writes is the whole old or the whole new one. A second process
 // saves without end (saveWithoutEnd) and is killed at moments from a seed; the files are compared with the two texts it
-// writes in turn.
+// writes in turn. And a disk without room: the old file stays, and it is said which one was not written and why.
 #include "tests/app/killed_save.h"
 #include "tests/support/paths.h"
 
@@ -12,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -22,6 +23,7 @@
 #include <csignal>
 #include <cstdio>
 #include <random>
+#include <sys/resource.h>
 
 namespace plc::app {
 namespace {
@@ -65,33 +67,30 @@ public:
                 "run.rec",       "retain.json"};
     }
 
-    bool save(const QString& file, int form) {
+    Result<void> save(const QString& file, int form) {
         const hmi::PanelProject& panels = m_panels[static_cast<size_t>(form)];
         if (file.endsWith(".st")) {
             std::string text = "PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\n";
             for (int i = 0; i < 2000; ++i)
                 text += form ? "n := n + 2; // the second form\n" : "n := n + 1; // the first\n";
             m_workspace.setText(file, text + "END_PROGRAM\n");
-            return static_cast<bool>(m_workspace.save(file));
+            return m_workspace.save(file);
         }
         if (file == "project.json") {
             projects::Project project = m_workspace.project();
             project.json["name"] = std::string(form ? 4000 : 3000, form ? 'b' : 'a');
-            return static_cast<bool>(projects::saveProjectFile(project));
+            return projects::saveProjectFile(project);
         }
-        if (file.endsWith(".panel.json"))
-            return static_cast<bool>(hmi::savePanel(panels, {"overview", panels.panels.front().panel}));
-        if (file.endsWith(".csv")) return static_cast<bool>(hmi::saveTexts(panels));
-        if (file == "hmi/alarms.json") return static_cast<bool>(hmi::saveAlarms(panels));
+        if (file.endsWith(".panel.json")) return hmi::savePanel(panels, {"overview", panels.panels.front().panel});
+        if (file.endsWith(".csv")) return hmi::saveTexts(panels);
+        if (file == "hmi/alarms.json") return hmi::saveAlarms(panels);
         if (file.endsWith(".trace.json"))
-            return static_cast<bool>(
-                trace::saveSetup(trace::setupOf(form ? std::vector<std::string>{"Main.n", "Main.n * 2"}
-                                                     : std::vector<std::string>{"Main.n"}),
-                                 (m_folder + "/" + file).toStdString()));
+            return trace::saveSetup(trace::setupOf(form ? std::vector<std::string>{"Main.n", "Main.n * 2"}
+                                                        : std::vector<std::string>{"Main.n"}),
+                                    (m_folder + "/" + file).toStdString());
         if (file.endsWith(".rec"))
-            return static_cast<bool>(
-                m_sessions[static_cast<size_t>(form)]->history().save((m_folder + "/" + file).toStdString()));
-        return static_cast<bool>(m_sessions[static_cast<size_t>(form)]->saveRetained());
+            return m_sessions[static_cast<size_t>(form)]->history().save((m_folder + "/" + file).toStdString());
+        return m_sessions[static_cast<size_t>(form)]->saveRetained();
     }
 
 private:
@@ -142,6 +141,59 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
     int both = 0;
     for (const QSet<int>& forms : seen) both += forms.size() == 2;
     EXPECT_GT(both, 0) << "no kill hit another moment than the others";
+}
+
+/// No file may become larger than this while it lives: what a full disk is to those who write.
+class NoRoom {
+public:
+    explicit NoRoom(rlim_t bytes) {
+        EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &m_before), 0);
+        m_handler = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit tight{bytes, m_before.rlim_max};
+        EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+    }
+    ~NoRoom() {
+        ::setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    NoRoom(const NoRoom&) = delete;
+    NoRoom& operator=(const NoRoom&) = delete;
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int) = nullptr;
+};
+
+QStringList allFiles(const QString& folder) {
+    QStringList out;
+    for (QDirIterator each(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); each.hasNext();)
+        out << each.next();
+    out.sort();
+    return out;
+}
+
+TEST(FullDisk, LeavesEachOldFileAndSaysWhichItIsAndWhatToDo) {
+    QTemporaryDir folder;
+    Writers writers(folder.path());
+    for (const QString& file : Writers::files()) {
+        SCOPED_TRACE(file.toStdString());
+        ASSERT_TRUE(writers.save(file, 0));
+        const QByteArray before = contentOf(folder.path() + "/" + file);
+        const QStringList files = allFiles(folder.path());
+        Result<void> refused;
+        {
+            const NoRoom full(16);
+            refused = writers.save(file, 1);
+        }
+        ASSERT_FALSE(refused) << "saved, it is said";
+        EXPECT_EQ(contentOf(folder.path() + "/" + file), before);
+        EXPECT_EQ(allFiles(folder.path()), files) << "something half is left";
+        const std::string said = refused.error().english();
+        EXPECT_NE(said.find(file.section('/', -1).toStdString()), std::string::npos) << said;
+        EXPECT_NE(said.find("; "), std::string::npos) << "no remedy: " << said;
+        EXPECT_TRUE(writers.save(file, 1)) << "once there is room";
+        EXPECT_NE(contentOf(folder.path() + "/" + file), before);
+    }
 }
 
 } // namespace

@@ -15,7 +15,9 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QListWidget>
+#include <QPushButton>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -71,6 +73,56 @@ TEST(StartPageTest, FindsAPictureOfEveryExampleOnTheStartPage) {
         EXPECT_FALSE(item->data(Qt::UserRole + 1).value<QPixmap>().isNull()) << project.toStdString();
         EXPECT_FALSE(item->data(Qt::UserRole + 2).toString().isEmpty()) << project.toStdString();
     }
+}
+
+/// STEPWISE_EXAMPLES as long as this lives.
+class ExamplesIn {
+public:
+    explicit ExamplesIn(const QString& folder) { qputenv("STEPWISE_EXAMPLES", folder.toUtf8()); }
+    ~ExamplesIn() {
+        if (m_before.isNull())
+            qunsetenv("STEPWISE_EXAMPLES");
+        else
+            qputenv("STEPWISE_EXAMPLES", m_before);
+    }
+    ExamplesIn(const ExamplesIn&) = delete;
+    ExamplesIn& operator=(const ExamplesIn&) = delete;
+
+private:
+    const QByteArray m_before = qgetenv("STEPWISE_EXAMPLES");
+};
+
+bool offersTheTour(const QWidget& page) {
+    for (const QPushButton* button : page.findChildren<QPushButton*>())
+        if (button->text() == "Take the Tour") return !button->isHidden();
+    return false;
+}
+
+TEST(StartPageTest, WithoutExamplesSaysWhereTheyWereLookedForAndOffersNothingThatNeedsThem) {
+    QTemporaryDir empty;
+    Settings settings;
+    for (const QString& folder : {empty.path(), empty.path() + "/missing"}) {
+        const ExamplesIn there(folder);
+        StartPage page(settings);
+        const auto* note = page.findChild<QLabel*>("noExamples");
+        ASSERT_TRUE(note);
+        EXPECT_FALSE(note->isHidden());
+        EXPECT_TRUE(note->text().contains(folder)) << note->text().toStdString();
+        EXPECT_TRUE(note->text().contains("STEPWISE_EXAMPLES")) << note->text().toStdString();
+        EXPECT_EQ(page.examples().count(), 0);
+        EXPECT_FALSE(offersTheTour(page));
+        bool saysToOpenOne = false;
+        for (const QLabel* label : page.findChildren<QLabel*>()) saysToOpenOne |= label->text().contains("open one");
+        EXPECT_FALSE(saysToOpenOne);
+        MainWindow window; // the tour is in the menu, too
+        window.startTour();
+        EXPECT_FALSE(window.workspace().isOpen());
+        EXPECT_TRUE(window.statusBar()->currentMessage().contains("open or create a project"))
+            << window.statusBar()->currentMessage().toStdString();
+    }
+    StartPage page(settings); // with the shipped ones
+    EXPECT_TRUE(page.findChild<QLabel*>("noExamples")->isHidden());
+    EXPECT_TRUE(offersTheTour(page));
 }
 
 } // namespace

@@ -3,8 +3,11 @@
 #include "app/panels/live_views.h"
 #include "app/testing/test_view.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/long_scans.h"
+#include "tests/support/processor_time.h"
 
 #include <QAction>
+#include <QToolButton>
 #include <QTreeWidget>
 
 namespace plc::app {
@@ -77,6 +80,34 @@ TEST_F(TestViewTest, AFailureLeadsToItsLineAndItsRecording) {
     emit window->tests().recordingRequested(recording);
     ASSERT_TRUE(window->control().showsRecorded());
     EXPECT_EQ(window->control().value("Main.counter").text, "2");
+}
+
+TEST_F(TestViewTest, ARunIsCancelledAtOnceInTheMiddleOfAScan) {
+    auto* cancel = window->findChild<QToolButton*>("cancelWork");
+    ASSERT_TRUE(cancel);
+    int cancelled = 0;
+    for (const LongScan& scan : longScans()) {
+        const QString first = QStringLiteral("before ") + scan.name, second = QStringLiteral("long ") + scan.name;
+        window->workspace().setText("src/main.st", scan.text);
+        window->workspace().setText("tests/first.st", QStringLiteral("TEST '%1'\nASSERT TRUE;\nEND_TEST\n\nTEST "
+                                                                     "'%2'\nRUN 1000 SCANS;\nEND_TEST\n")
+                                                          .arg(first, second)
+                                                          .toStdString());
+        ASSERT_TRUE(waitFor([&] { return item(second) != nullptr; })) << scan.name;
+        window->action("run.tests")->trigger();
+        ASSERT_TRUE(waitFor([&] { return state(first) == "passed"; }, 60'000)) << scan.name;
+        QTest::qWait(200);                  // a duration: of the scan in the second test
+        if (!cancel->isVisible()) continue; // a fast machine has used up the work that virtual time gives a scan
+        ++cancelled;
+        const double since = processorSeconds();
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        EXPECT_TRUE(waitFor([&] { return !cancel->isVisible(); })) << scan.name;
+        EXPECT_LT(processorSeconds() - since, kAtOnceSeconds) << scan.name;
+        EXPECT_EQ(state(second), "not run yet") << scan.name;
+    }
+    EXPECT_GT(cancelled, 0) << "none was long";
+    window->workspace().revert("src/main.st");
+    window->workspace().revert("tests/first.st");
 }
 
 } // namespace

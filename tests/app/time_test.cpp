@@ -106,7 +106,8 @@ TEST_F(TimeTest, RecentProjectsAreListedWithTheirFolder) {
     window->closeProject();
     auto* list = window->findChild<QListWidget*>("recentProjects");
     ASSERT_TRUE(list);
-    EXPECT_TRUE(list->item(0)->text().contains(parent)) << "two projects of one name are told apart";
+    EXPECT_TRUE(list->item(0)->text().contains(QDir::toNativeSeparators(folder.path())))
+        << "two projects of one name are told apart";
 }
 
 } // namespace

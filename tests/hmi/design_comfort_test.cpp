@@ -34,6 +34,27 @@ TEST(DesignComfort, WhatDoesNotFitOrIsMeantToBeNewBecomesANewElement) {
     EXPECT_EQ(studio.panel().elements().size(), 4u) << "Shift asks for an element that operates";
 }
 
+TEST(DesignComfort, ABlockDroppedOnThePanelBecomesItsFaceplateOrIsRefusedWithAReason) {
+    Studio studio(kTwo);
+    QString said;
+    QObject::connect(&studio.designer->canvas(), &DesignCanvas::refused, [&](const QString& reason) { said = reason; });
+    studio.dropVariable("Main.edge", 400, 300);
+    EXPECT_EQ(studio.panel().elements().size(), 2u) << "it has no single value";
+    EXPECT_TRUE(said.contains("Main.edge") && said.contains("R_TRIG")) << said.toStdString();
+
+    auto plate = Panel::parse(R"({"size": [80, 60], "parameters": [{"name": "title", "type": "text"},
+                                  {"name": "trig", "type": "r_trig"}], "elements": []})",
+                              QStringLiteral("plate"));
+    ASSERT_TRUE(plate);
+    studio.project.panels.push_back({QStringLiteral("plate"), *plate});
+    studio.dropVariable("Main.edge", 400, 300);
+    ASSERT_EQ(studio.panel().elements().size(), 3u);
+    EXPECT_EQ(studio.last().kind(), ElementKind::Faceplate);
+    EXPECT_EQ(studio.last().text("panel"), "plate");
+    EXPECT_EQ(studio.last().at("arguments"), Json({{"trig", "Main.edge"}}));
+    EXPECT_EQ(studio.last().rect().size(), QSizeF(80, 60));
+}
+
 TEST(DesignComfort, AVariableDroppedOnARowOfThePropertySheetBindsIt) {
     Studio studio(kTwo);
     studio.designer->selection().set({"a"});

@@ -2,8 +2,14 @@
 #include "projects/testing/test_run.h"
 
 #include "runtime/controller/controller.h"
+#include "tests/support/long_scans.h"
+#include "tests/support/processor_time.h"
 
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace plc::testing {
 namespace {
@@ -17,6 +23,54 @@ Report runOf(const std::string& program, const std::string& test,
     auto report = runTests(project, {});
     EXPECT_TRUE(report) << report.error().english();
     return report ? *report : Report{};
+}
+
+/// Whatever takes long in a test: scans that would take years, and loops of the test itself.
+struct LongTest {
+    std::string name, program, statements;
+    bool isEndless = true; // else a fast machine may use up the work that virtual time gives a scan
+};
+std::vector<LongTest> longTests() {
+    std::vector<LongTest> out;
+    for (const LongScan& scan : longScans()) out.push_back({scan.name, scan.text, "RUN 1000 SCANS;\n", false});
+    const std::string idle = "PROGRAM Main\nVAR a : INT; END_VAR\na := a + 1;\nEND_PROGRAM\n";
+    out.push_back({"FOR", idle, "FOR i := 1 TO 2000000000 DO\nEND_FOR\n"});
+    out.push_back({"WHILE", idle, "WHILE i < 1 DO\nEND_WHILE\n"});
+    out.push_back({"RUN", idle, "RUN T#100d;\n"});
+    return out;
+}
+
+TEST(Cancelling, EndsATestAtOnceInTheMiddleOfWhateverItDoes) {
+    for (const LongTest& kind : longTests()) {
+        projects::Project project;
+        project.sources.push_back({"main.st", kind.program});
+        project.tests.push_back({"tests.st", "TEST 'first'\nASSERT TRUE;\nEND_TEST\nTEST 'long'\nVAR\n    i : "
+                                             "DINT;\nEND_VAR\n" +
+                                                 kind.statements + "END_TEST\n"});
+        Progress work;
+        Options options;
+        options.watched = &work;
+        std::atomic<bool> isBegun = false;
+        double asked = 0;
+        options.progress = [&](const TestResult&) { isBegun = true; };
+        std::thread canceller([&] {
+            while (!isBegun) std::this_thread::yield();
+            // a duration: of the second test, into its work
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            asked = processorSeconds();
+            work.cancel();
+        });
+        const auto report = runTests(project, options);
+        const double over = processorSeconds();
+        isBegun = true; // had it been refused
+        canceller.join();
+        ASSERT_TRUE(report) << kind.name;
+        if (kind.isEndless) {
+            EXPECT_EQ(report->results.size(), 1u) << kind.name << " has ended";
+        }
+        EXPECT_LT(over - asked, kAtOnceSeconds) << kind.name;
+        RecordProperty(kind.name, std::to_string(over - asked));
+    }
 }
 
 TEST(PowerOff, LosesAllButWhatIsRetainedWhileThePlantGoesOn) {

@@ -1,6 +1,7 @@
 #include "app/cli/kit/command.h"
 
 #include "app/cli/kit/errors.h"
+#include "app/cli/kit/interrupt.h"
 #include "editor/kit/theme.h"
 #include "projects/exchange/import.h"
 #include "projects/storage/project_file.h"
@@ -10,6 +11,7 @@
 #include <QApplication>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -20,10 +22,13 @@ namespace plc::cli {
 
 namespace {
 volatile std::sig_atomic_t g_interrupts = 0;
+std::atomic<Progress*> g_cancelled = nullptr; // what a handler touches: without locks
+static_assert(std::atomic<Progress*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void onInterrupt(int) {
     g_interrupts = g_interrupts + 1;
-    if (g_interrupts > 1) std::_Exit(130);
+    if (Progress* work = g_cancelled) work->cancel();
+    if (g_interrupts > 1) std::_Exit(kInterrupted);
 }
 
 } // namespace
@@ -111,6 +116,13 @@ void needApplication() {
 bool wantsColours(int fileDescriptor) { return platform::isTerminal(fileDescriptor) && !std::getenv("NO_COLOR"); }
 bool isInterrupted() { return g_interrupts != 0; }
 void catchInterrupt() { platform::catchInterrupts(onInterrupt); }
+
+InterruptCancels::InterruptCancels(Progress& work) {
+    g_cancelled = &work;
+    catchInterrupt();
+    if (isInterrupted()) work.cancel();
+}
+InterruptCancels::~InterruptCancels() { g_cancelled = nullptr; }
 
 std::string jsonString(std::string_view text) {
     return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

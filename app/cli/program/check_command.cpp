@@ -3,6 +3,7 @@
 #include "app/cli/devices/device_output.h"
 #include "app/cli/kit/errors.h"
 #include "app/cli/panels/panel_findings.h"
+#include "editor/trace/setup/trace_setup.h"
 #include "projects/testing/test_run.h"
 #include "runtime/platform/streams.h"
 
@@ -21,13 +22,23 @@ int check(const Arguments& arguments) {
         const Busy busy("checking " + project->name);
         return driver::check(project->buildInput());
     }();
-    // Panels, texts and alarms belong to the project (D9).
+    // Panels, texts, alarms and traces belong to the project (D9).
     std::vector<hmi::Finding> findings;
     if (hasPanels(*project)) {
         needApplication();
         const hmi::PanelProject panels = hmi::loadPanelProject(*project);
         findings = hmi::checkPanels(panels, hmi::checkedForPanels(project->buildInput(), checked, panels.panels));
     }
+    for (const std::string& name : project->traces)
+        if (const auto setup = trace::loadSetup(project->folder + "/traces/" + name); !setup)
+            findings.push_back({hmi::FindingKind::UnknownKind,
+                                true,
+                                QString::fromStdString("traces/" + name),
+                                0,
+                                {},
+                                {},
+                                {},
+                                setup.error().message});
     const bool hasLayout = !checked.analysis->hasErrors && checked.analysis->program;
     const auto deviceFindings = findDeviceProblems(*project, hasLayout ? &checked.analysis->program->layout : nullptr);
     if (!deviceFindings) return wrongUse(deviceFindings.error());

@@ -8,12 +8,12 @@
 namespace plc::cli {
 
 void CoverageRun::follow(testing::Options& options) {
-    options.finished = [this](session::Session& session) {
+    options.finished = [this, watched = options.watched](session::Session& session) {
         if (!m_coverage) {
             m_program = session.program();
             m_coverage.emplace(m_program);
         }
-        m_failed += m_coverage->addAll(session.history());
+        m_failed += m_coverage->addAll(session.history(), watched);
     };
 }
 

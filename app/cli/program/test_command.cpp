@@ -1,6 +1,7 @@
 #include "app/cli/program/commands.h"
 
 #include "app/cli/kit/errors.h"
+#include "app/cli/kit/interrupt.h"
 #include "app/cli/kit/written_file.h"
 #include "app/cli/program/coverage_output.h"
 #include "projects/testing/test_run.h"
@@ -154,6 +155,9 @@ int test(const Arguments& arguments) {
     options.filter = arguments.value("--filter").value_or("");
     options.coverage = arguments.has("--coverage");
     options.colours = wantsColours(platform::kStandardError);
+    Progress work;
+    const InterruptCancels ctrlC(work);
+    options.watched = &work;
     std::vector<ProjectReport> reports;
     size_t failed = 0, passed = 0, broken = 0;
     ProgressLine progress;
@@ -183,6 +187,7 @@ int test(const Arguments& arguments) {
         if (format == "text" && wantsConditions) std::cout << coverage.text();
         if (reportFile)
             if (auto written = coverage.write(*reportFile); !written) return wrongUse(written.error());
+        if (work.isCancelled()) break;
     }
     if (format == "json")
         printJson(reports);
@@ -190,6 +195,10 @@ int test(const Arguments& arguments) {
         printJunit(reports);
     else
         std::cout << passed << " passed, " << failed << " failed\n";
+    if (work.isCancelled()) {
+        std::cerr << "stepwise: " << errors::TestsInterrupted().english() << "\n";
+        return kInterrupted;
+    }
     if (passed + failed == 0 && !broken && !options.filter.empty())
         return wrongUse({errors::NoTestNamed(options.filter), ""});
     return failed || broken ? kProgramWrong : kGood;

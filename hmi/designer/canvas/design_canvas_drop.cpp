@@ -7,6 +7,7 @@
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/context/applicable.h"
 #include "hmi/designer/context/arrange.h"
+#include "hmi/designer/context/dropped_structure.h"
 #include "hmi/model/errors.h"
 #include "hmi/model/faceplate.h"
 #include "hmi/model/property_literals.h"
@@ -156,13 +157,23 @@ void DesignCanvas::insertVariables(const QStringList& paths, QPointF at, bool op
     Json list = Json::array();
     double y = 0;
     int number = 0;
-    for (const QString& path : paths)
-        for (Element& element : elementsForVariable(path, m_context, operates)) {
+    for (const QString& path : paths) {
+        std::vector<Element> made;
+        if (const QString type = structureType(path, m_context); type.isEmpty())
+            made = elementsForVariable(path, m_context, operates);
+        else if (auto faceplate = faceplateFor(path, m_context))
+            made.push_back(std::move(*faceplate));
+        else
+            emit refused(tr("%1 has no single value: drop one of its members, or first draw a panel with a parameter "
+                            "of the type %2")
+                             .arg(path, type));
+        for (Element& element : made) {
             element.setField("id", "new" + std::to_string(++number), 0);
             element.set("rect"_field, rectToJson(element.rect().translated(0, y)));
             y += element.rect().height() + 12;
             list.push_back(element.fields());
         }
+    }
     if (!list.empty()) insertElements(list, at);
 }
 

@@ -40,6 +40,28 @@ protected:
     }
 };
 
+TEST_F(PanelsCommands, APanelThatCannotBeReadIsNotMissingAndWhatItUsesIsNotUnused) {
+    write("project.json", R"({"name": "demo", "hmi": {"languages": ["en", "de"], "startPanel": "main"}})");
+    write("hmi/alarms.json", R"([{"id": "a", "condition": "Main.level > 2.0", "text": "Too high"}])");
+    write("hmi/main.panel.json", "{\n\"elements\": [\n");
+    EXPECT_EQ(run("check", {}), 1);
+    EXPECT_NE((out + err).find("hmi/main.panel.json"), std::string::npos) << out << err;
+    EXPECT_EQ((out + err).find("There is no panel main"), std::string::npos) << out << err;
+    EXPECT_EQ((out + err).find("uses the key main.title"), std::string::npos) << out << err;
+    EXPECT_EQ((out + err).find("no panel has an alarm list"), std::string::npos) << out << err;
+    std::remove(path("hmi/main.panel.json").c_str());
+    EXPECT_EQ(run("check", {}), 1);
+    EXPECT_NE((out + err).find("There is no panel main"), std::string::npos) << "it is missing now: " << out << err;
+}
+
+TEST_F(PanelsCommands, ADamagedTraceIsReportedByTheCheckAsWell) {
+    QDir().mkpath(QString::fromStdString(path("traces")));
+    write("traces/one.trace.json", "{\n\"charts\": [");
+    EXPECT_EQ(run("check", {}), 1);
+    EXPECT_NE((out + err).find("traces/one.trace.json: error H1011: "), std::string::npos) << out << err;
+    EXPECT_EQ((out + err).find("no errors"), std::string::npos) << out << err;
+}
+
 TEST_F(PanelsCommands, TheCheckReportsWhatAFaceplateIsGiven) {
     (void)run("panel", {"--check"});
     EXPECT_EQ(out.find("error"), std::string::npos) << out;

@@ -122,6 +122,7 @@ TEST_F(RunCommand, CtrlCEndsAWaitAtOnceAndStillReports) {
 TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const std::string file = path("long.st");
+    write("long_test.st", "TEST 'long'\nRUN 1000 SCANS;\nEND_TEST\n");
     for (const LongScan& scan : longScans()) {
         write("long.st", scan.text);
         const std::string variable = "Main." + scan.variable;
@@ -129,7 +130,8 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
              {std::vector<std::string>{"run", file, "--for", "10m", "--real"},
               {"run", file, "--for", "10m"},
               {"trace", file, "--channels", variable, "--for", "10m", "--csv", path("out.csv")},
-              {"why", file, variable, "--for", "10m"}}) {
+              {"why", file, variable, "--for", "10m"},
+              {"test", file, path("long_test.st")}}) {
             const auto interrupted = [&] {
                 double pressed = 0;
                 std::atomic<bool> isOver = false;

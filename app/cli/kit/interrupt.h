@@ -1,0 +1,19 @@
+// Work that Ctrl+C cancels, so that what is done by then is still reported. Main thread.
+#pragma once
+#include "runtime/base/progress.h"
+
+namespace plc::cli {
+
+/// Exit code of a command that Ctrl+C ended before its answer was known, as shells count it.
+inline constexpr int kInterrupted = 130;
+
+/// While this lives, Ctrl+C cancels that work (a second one ends the program).
+class InterruptCancels {
+public:
+    explicit InterruptCancels(Progress& work);
+    ~InterruptCancels();
+    InterruptCancels(const InterruptCancels&) = delete;
+    InterruptCancels& operator=(const InterruptCancels&) = delete;
+};
+
+} // namespace plc::cli
