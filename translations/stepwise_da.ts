@@ -9114,7 +9114,7 @@ Under Problemer står, hvad der er galt; et dobbeltklik der åbner filen som tek
     </message>
     <message>
         <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
-        <translation>Bytes: %MW1 er byte 1 og 2 (TwinCAT)</translation>
+        <translation>Byte: %MW1 er byte 1 og 2 (TwinCAT)</translation>
     </message>
     <message>
         <source>Words: %MW1 is the second word (CODESYS)</source>

@@ -9114,7 +9114,7 @@ Unter Probleme steht, was falsch ist; ein Doppelklick dort öffnet die Datei als
     </message>
     <message>
         <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
-        <translation>Bytes: %MW1 sind die Bytes 1 und 2 (TwinCAT)</translation>
+        <translation>Byte: %MW1 ist Byte 1 und 2 (TwinCAT)</translation>
     </message>
     <message>
         <source>Words: %MW1 is the second word (CODESYS)</source>

@@ -9114,7 +9114,7 @@ En Problemas se indica qué falla; un doble clic allí abre el archivo como text
     </message>
     <message>
         <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
-        <translation>Bytes: %MW1 son los bytes 1 y 2 (TwinCAT)</translation>
+        <translation>Byte: %MW1 son los bytes 1 y 2 (TwinCAT)</translation>
     </message>
     <message>
         <source>Words: %MW1 is the second word (CODESYS)</source>

@@ -2948,7 +2948,7 @@
     </message>
     <message>
         <source>Single files have no project.json for settings; create a project and put them into its folder src</source>
-        <translation>Des fichiers isolés n&apos;ont pas de project.json pour les paramètres ; créez un projet et placez-les dans son dossier src</translation>
+        <translation>Des fichiers isolés n&apos;ont pas de project.json pour les paramètres&#x202f;; créez un projet et placez-les dans son dossier src</translation>
     </message>
 </context>
 <context>
@@ -9114,11 +9114,11 @@ Problèmes indique ce qui ne va pas&#x202f;; un double-clic y ouvre le fichier e
     </message>
     <message>
         <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
-        <translation>Octets : %MW1 désigne les octets 1 et 2 (TwinCAT)</translation>
+        <translation>Octets&#xa0;: %MW1 désigne les octets 1 et 2 (TwinCAT)</translation>
     </message>
     <message>
         <source>Words: %MW1 is the second word (CODESYS)</source>
-        <translation>Mots : %MW1 désigne le deuxième mot (CODESYS)</translation>
+        <translation>Mots&#xa0;: %MW1 désigne le deuxième mot (CODESYS)</translation>
     </message>
     <message>
         <source> bytes</source>
@@ -9190,7 +9190,7 @@ Problèmes indique ce qui ne va pas&#x202f;; un double-clic y ouvre le fichier e
     </message>
     <message>
         <source>A variable with the operator&apos;s language; panels read and write it</source>
-        <translation>Une variable contenant la langue de l&apos;opérateur ; les vues la lisent et l&apos;écrivent</translation>
+        <translation>Une variable contenant la langue de l&apos;opérateur&#x202f;; les vues la lisent et l&apos;écrivent</translation>
     </message>
     <message>
         <source>Start panel</source>
@@ -9214,7 +9214,7 @@ Problèmes indique ce qui ne va pas&#x202f;; un double-clic y ouvre le fichier e
     </message>
     <message>
         <source>“%1” is not a date and time; write for example DT#2026-01-31-06:00:00.</source>
-        <translation>« %1 » n&apos;est pas une date avec heure ; écrivez par exemple DT#2026-01-31-06:00:00.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une date avec heure&#x202f;; écrivez par exemple DT#2026-01-31-06:00:00.</translation>
     </message>
 </context>
 <context>

@@ -9108,11 +9108,11 @@ Problems says what is wrong; a double click there opens the file as text.</sourc
     </message>
     <message>
         <source>Bytes: %MW1 is bytes 1 and 2 (TwinCAT)</source>
-        <translation>字节：%MW1 为第 1 和第 2 字节（TwinCAT）</translation>
+        <translation>字节（TwinCAT）：%MW1 为字节 1 和 2</translation>
     </message>
     <message>
         <source>Words: %MW1 is the second word (CODESYS)</source>
-        <translation>字：%MW1 为第二个字（CODESYS）</translation>
+        <translation>字（CODESYS）：%MW1 为第 2 个字</translation>
     </message>
     <message>
         <source> bytes</source>

@@ -5,8 +5,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
 #include <QDialogButtonBox>
-#include <QFontComboBox>
+#include <QFontDatabase>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -20,6 +21,10 @@ namespace plc::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// Code is the same in every language.
+const char* const kSymbols = "SIMULATION, VERSION=2";
+const char* const kStart = "DT#2000-01-01-00:00:00";
 
 /// An object in project.json, or an empty one.
 const Json& partOf(const Json& json, const char* name) {
@@ -82,6 +87,7 @@ QWidget* ProjectSettingsDialog::makeProgram(const projects::Project& project) {
     m_addresses = new QComboBox(group);
     m_addresses->addItem(tr("Bytes: %MW1 is bytes 1 and 2 (TwinCAT)"), "byte");
     m_addresses->addItem(tr("Words: %MW1 is the second word (CODESYS)"), "word");
+    m_addresses->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     choose(m_addresses, project.addressing == image::Addressing::Words ? "word" : "byte");
     m_strings = new QComboBox(group);
     for (const std::string& name : types::stringCodeNames())
@@ -90,7 +96,7 @@ QWidget* ProjectSettingsDialog::makeProgram(const projects::Project& project) {
     QStringList symbols;
     for (const std::string& symbol : project.defines) symbols += QString::fromStdString(symbol);
     m_symbols = new QLineEdit(symbols.join(QStringLiteral(", ")), group);
-    m_symbols->setPlaceholderText(QStringLiteral("Simulation, Version=2"));
+    m_symbols->setPlaceholderText(QLatin1String(kSymbols));
     m_memory = new QSpinBox(group);
     m_memory->setRange(0, static_cast<int>(driver::kMostMemoryForNew));
     m_memory->setSingleStep(64 * 1024);
@@ -99,7 +105,7 @@ QWidget* ProjectSettingsDialog::makeProgram(const projects::Project& project) {
     m_memory->setSpecialValueText(tr("None (no __NEW)"));
     m_memory->setValue(static_cast<int>(project.memoryForNew));
     m_start = new QLineEdit(QString::fromStdString(project.calendarStart), group);
-    m_start->setPlaceholderText(QStringLiteral("DT#2000-01-01-00:00:00"));
+    m_start->setPlaceholderText(QLatin1String(kStart));
     m_addresses->setToolTip(tr("What the number of a memory address counts"));
     m_strings->setToolTip(tr("What the bytes of STRING values stand for"));
     m_symbols->setToolTip(tr("What {IF defined (…)} in the sources finds, separated by commas"));
@@ -129,10 +135,11 @@ QWidget* ProjectSettingsDialog::makePanels(const projects::Project& project) {
     if (start.endsWith(QStringLiteral(".panel.json"))) start.chop(11);
     choose(m_startPanel, start);
     choose(m_frame, textOf(hmi, "frame"));
-    m_font = new QFontComboBox(group);
-    m_font->setEditText(QString::fromStdString(project.font));
+    m_font = new QLineEdit(QString::fromStdString(project.font), group);
+    m_font->setCompleter(new QCompleter(QFontDatabase::families(), m_font));
+    m_font->completer()->setCaseSensitivity(Qt::CaseInsensitive);
+    m_font->completer()->setFilterMode(Qt::MatchContains);
     m_languageVariable = new QLineEdit(QString::fromStdString(project.languageVariable), group);
-    m_languageVariable->setPlaceholderText(QStringLiteral("Panel.Language"));
     m_picturesOutside = new QCheckBox(tr("Allow pictures outside the project folder"), group);
     m_picturesOutside->setChecked(hmi.contains("picturesOutside") && hmi["picturesOutside"] == true);
     m_frame->setToolTip(tr("The panel that is drawn around all others"));
@@ -155,12 +162,12 @@ Json ProjectSettingsDialog::json() const {
     for (const QString& symbol : m_symbols->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
         if (!symbol.trimmed().isEmpty()) symbols.push_back(symbol.trimmed().toStdString());
     put(out, "defines", symbols, Json::array());
-    put(out, "memoryForNew", m_memory->value(), 0);
+    put(out, "memoryForNew", static_cast<uint32_t>(m_memory->value()), 0u);
     Json settings = partOf(out, "settings"), hmi = partOf(out, "hmi");
     put(settings, "calendarStart", m_start->text());
     put(hmi, "startPanel", m_startPanel->currentData().toString());
     put(hmi, "frame", m_frame->currentData().toString());
-    put(hmi, "font", m_font->currentText().trimmed().toStdString(), projects::Project().font);
+    put(hmi, "font", m_font->text().trimmed().toStdString(), projects::Project().font);
     put(hmi, "languageVariable", m_languageVariable->text());
     put(hmi, "picturesOutside", m_picturesOutside->isChecked(), false);
     put(out, "settings", settings, Json::object());

@@ -7,7 +7,6 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
-class QFontComboBox;
 class QLabel;
 class QLineEdit;
 class QSpinBox;
@@ -30,9 +29,8 @@ private:
 
     nlohmann::ordered_json m_json;
     std::string m_usualName; // a project without one is named after its folder
-    QLineEdit *m_name, *m_symbols, *m_start, *m_languageVariable;
+    QLineEdit *m_name, *m_symbols, *m_start, *m_font, *m_languageVariable;
     QComboBox *m_addresses, *m_strings, *m_startPanel, *m_frame;
-    QFontComboBox* m_font;
     QSpinBox* m_memory;
     QCheckBox* m_picturesOutside;
     QLabel* m_complaint;

@@ -105,7 +105,7 @@ bool isData(const QString& word) {
         "MB",       "kB",       "bit",     "Ctrl",    "Shift",  "Alt",      "analog", "plant", "toolbox", "util",
         "workshop", "library",  "Aa",      "en",      "go",     "on",       "off",    "Off",   "begin",   "running",
         "text",     "pou",      "Button",  "Valve",   "Option", "Text",     "qps",    "ploc",  "red",     "yellow",
-        "green",    "Broker",   "Count",   "Done",    "Line",   "anna"};
+        "green",    "Broker",   "Count",   "Done",    "Line",   "anna",     "Latin"};
     if (words.contains(word)) return true;
     static const QRegularExpression capitals(QStringLiteral("^[A-Z]+[0-9]*$")); // TON, BOOL, RUN
     return capitals.match(word).hasMatch();

@@ -1,6 +1,7 @@
 // What the statements of a TEST do to the controller.
 #include "projects/testing/test_run.h"
 
+#include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 #include "tests/support/long_scans.h"
 #include "tests/support/processor_time.h"
@@ -41,6 +42,7 @@ std::vector<LongTest> longTests() {
 }
 
 TEST(Cancelling, EndsATestAtOnceInTheMiddleOfWhateverItDoes) {
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
     for (const LongTest& kind : longTests()) {
         projects::Project project;
         project.sources.push_back({"main.st", kind.program});

@@ -69,7 +69,7 @@ TEST_F(RunValues, WhatAValueWouldLoseIsRefusedAndTheMessageSaysWhatToWrite) {
         {"Main.b=5", "5 does not fit into Main.b, which is BOOL; write TRUE or FALSE"},
         {"Main.r=1e39", "1e39 does not fit into Main.r"},
         {"Main.s=hello", "hello is not a value for Main.s, which is STRING(12); write it in quotes, for example "
-                         "'text', with Latin-1 characters only"},
+                         "'text'; only WSTRING has every character"},
         {"Main.c=Bleu", "did you mean Blue?"},
         {"Main.c=Yellow", "its values are Red, Green, Blue"},
         {"Main.t=5s", "write for example T#1s500ms"},
