@@ -355,6 +355,13 @@ void MainWindow::makeStatusLine() {
     connect(m_status, &StatusLine::changed, this, &MainWindow::updateRunActions);
     connect(m_tabs, &EditorTabs::cursorMoved, m_status,
             [this](const QString&, int line, int column) { m_status->showCursor(line, column); });
+    connect(m_tabs, &EditorTabs::currentChanged, m_status, [this] { // the place is that of the text in front
+        const editor::StEditor* editor = m_tabs->currentEditor();
+        if (!editor) return m_status->hideCursor();
+        int line = 0, column = 0;
+        editor->getCursorPosition(&line, &column);
+        m_status->showCursor(line + 1, column + 1);
+    });
 }
 
 void MainWindow::whatIf() {

@@ -11904,6 +11904,10 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
         <translation>Lås</translation>
     </message>
     <message>
+        <source>No elements yet. Drag one from the palette onto the panel.</source>
+        <translation>Ingen elementer endnu. Træk et fra paletten til panelet.</translation>
+    </message>
+    <message>
         <source>Reorder</source>
         <translation>Omarranger</translation>
     </message>

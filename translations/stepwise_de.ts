@@ -11904,6 +11904,10 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
         <translation>Sperren</translation>
     </message>
     <message>
+        <source>No elements yet. Drag one from the palette onto the panel.</source>
+        <translation>Noch keine Elemente. Ziehen Sie eines aus der Palette auf das Panel.</translation>
+    </message>
+    <message>
         <source>Reorder</source>
         <translation>Umordnen</translation>
     </message>

@@ -11904,6 +11904,10 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
         <translation>Bloquear</translation>
     </message>
     <message>
+        <source>No elements yet. Drag one from the palette onto the panel.</source>
+        <translation>Aún no hay elementos. Arrastre uno de la paleta al panel.</translation>
+    </message>
+    <message>
         <source>Reorder</source>
         <translation>Cambiar el orden</translation>
     </message>

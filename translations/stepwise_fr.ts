@@ -11904,6 +11904,10 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
         <translation>Verrouiller</translation>
     </message>
     <message>
+        <source>No elements yet. Drag one from the palette onto the panel.</source>
+        <translation>Aucun élément. Faites-en glisser un de la palette vers le panneau.</translation>
+    </message>
+    <message>
         <source>Reorder</source>
         <translation>Changer l’ordre</translation>
     </message>

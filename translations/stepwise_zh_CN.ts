@@ -11888,6 +11888,10 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
         <translation>锁定</translation>
     </message>
     <message>
+        <source>No elements yet. Drag one from the palette onto the panel.</source>
+        <translation>尚无元素。请从选项板将元素拖到面板上。</translation>
+    </message>
+    <message>
         <source>Reorder</source>
         <translation>更改顺序</translation>
     </message>

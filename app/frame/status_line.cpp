@@ -76,6 +76,8 @@ void StatusLine::makeLabels(QStatusBar& bar) {
     m_state->setAccessibleName(Words::tr("State of the controller"));
 }
 
+void StatusLine::hideCursor() { m_cursor->clear(); }
+
 void StatusLine::showCursor(int line, int column) { m_cursor->setText(Words::tr("%1 : %2").arg(line).arg(column)); }
 
 QString StatusLine::speedText(session::RunMode mode) {

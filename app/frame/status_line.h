@@ -25,6 +25,7 @@ public:
 
     void refresh();
     void showCursor(int line, int column); // from 1
+    void hideCursor();                     // no text is in front
     [[nodiscard]] kit::WorkStrip& work() { return *m_work; }
     [[nodiscard]] static QString speedText(session::RunMode mode); // "10 ×"
 

@@ -11,8 +11,11 @@
 #include <QAction>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QRegularExpression>
+#include <QStatusBar>
 #include <QTimer>
 
 #include "editor/kit/inputs/variable_picker.h"
@@ -79,6 +82,24 @@ TEST_F(DesignPagesTest, AClosedDesignerOutlivesItsProjectByAMoment) {
     QElapsedTimer time;
     for (time.start(); time.elapsed() < 700;) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
     EXPECT_NE(openFromTree("overview"), nullptr);
+}
+
+TEST_F(DesignPagesTest, ThePlaceOfTheCursorIsShownOnlyForATextInFront) {
+    const auto place = [&] {
+        const QRegularExpression form(QStringLiteral("^\\d+ : \\d+$"));
+        for (const QLabel* label : window->statusBar()->findChildren<QLabel*>())
+            if (form.match(label->text()).hasMatch()) return label->text();
+        return QString();
+    };
+    window->tabs().openFile("src/main.st");
+    ASSERT_NE(window->tabs().currentEditor(), nullptr);
+    const int text = window->tabs().currentIndex();
+    window->tabs().currentEditor()->setCursorPosition(1, 0);
+    EXPECT_EQ(place().toStdString(), "2 : 1");
+    ASSERT_NE(openFromTree("overview"), nullptr);
+    EXPECT_EQ(place().toStdString(), "");
+    window->tabs().setCurrentIndex(text);
+    EXPECT_EQ(place().toStdString(), "2 : 1");
 }
 
 TEST_F(DesignPagesTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {

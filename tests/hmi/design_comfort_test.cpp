@@ -118,6 +118,18 @@ TEST(DesignComfort, TheOutlineSaysWhatThingsAre) {
     EXPECT_EQ(outline->itemOf("a")->text(0).toStdString(), "Lamp  Main.start");
 }
 
+TEST(DesignComfort, AnEmptyOutlineSaysHowToBegin) {
+    Studio studio;
+    const auto words = [&] { // something is drawn on the ground
+        const QImage picture = studio.designer->outline().viewport()->grab().toImage();
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (picture.pixel(x, y) != picture.pixel(0, 0)) return true;
+        return false;
+    };
+    EXPECT_TRUE(words());
+}
+
 TEST(DesignComfort, AClickOnOneOfSeveralSelectsItAndADragMovesThemAll) {
     Studio studio(kTwo);
     studio.designer->selection().set({"a", "b"});

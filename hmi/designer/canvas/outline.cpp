@@ -1,6 +1,7 @@
 #include "hmi/designer/canvas/outline.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/theme.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/model/property_literals.h"
 
@@ -8,6 +9,7 @@
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QLocale>
+#include <QPainter>
 
 namespace plc::hmi {
 
@@ -114,6 +116,15 @@ void Outline::rebuild() {
     expandAll();
     m_updating = false;
     showSelection();
+}
+
+void Outline::paintEvent(QPaintEvent* event) {
+    QTreeWidget::paintEvent(event);
+    if (topLevelItemCount() > 0) return;
+    QPainter painter(viewport());
+    painter.setPen(kit::colors().muted);
+    painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                     tr("No elements yet. Drag one from the palette onto the panel."));
 }
 
 void Outline::showSelection() {

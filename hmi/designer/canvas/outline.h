@@ -18,6 +18,7 @@ public:
 
 protected:
     void dropEvent(QDropEvent* event) override;
+    void paintEvent(QPaintEvent* event) override; // says how to begin while there is nothing
 
 private:
     void showSelection();
