@@ -80,7 +80,7 @@ ChannelPanel::ChannelPanel(QWidget* parent) : QWidget(parent) {
     m_list->setSelectionMode(QAbstractItemView::SingleSelection);
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::Fixed); // shareWidth()
     m_list->viewport()->installEventFilter(this);
     m_list->installEventFilter(this);
     m_grid = new kit::PropertyGrid(this);
@@ -188,7 +188,7 @@ void ChannelPanel::rebuild() {
                 new QTreeWidgetItem(chartItem, {QString::fromStdString(s.label.empty() ? s.expression : s.label)});
             item->setData(0, ChartRole, static_cast<int>(c));
             item->setData(0, ChannelRole, static_cast<int>(i));
-            item->setIcon(0, swatch(channelColor(m_setup, i)));
+            item->setIcon(0, swatch(drawnColor(m_setup, i)));
             item->setCheckState(0, s.isVisible ? Qt::Checked : Qt::Unchecked);
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled);
             item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
@@ -217,11 +217,23 @@ void ChannelPanel::showValues(const plot::PlotModel& model) {
             const QString shown = curve.problem.isEmpty() ? text : tr("error");
             if (item->text(1) == shown) continue;
             item->setText(1, shown);
+            item->setToolTip(1, shown); // it may be cut off
             item->setForeground(1, curve.problem.isEmpty() ? kit::colors().online : kit::colors().bad);
             item->setToolTip(0, curve.problem.isEmpty() ? QString::fromStdString(m_setup.channels[index].expression)
                                                         : curve.problem);
         }
     m_filling = false;
+    shareWidth();
+}
+
+/// The values get what the names leave, but always room for the first digits.
+void ChannelPanel::shareWidth() {
+    const QAbstractItemView& list = *m_list; // the tree hides the sizes of its columns
+    const int least = fontMetrics().averageCharWidth() * 9;
+    const int left = std::max(least, m_list->viewport()->width() - list.sizeHintForColumn(0));
+    const int wanted = std::max(list.sizeHintForColumn(1), m_list->header()->sectionSizeHint(1));
+    if (const int width = std::min(wanted, left); width != m_list->columnWidth(1))
+        m_list->header()->resizeSection(1, width);
 }
 
 void ChannelPanel::showProperties() {
@@ -493,6 +505,9 @@ bool ChannelPanel::eventFilter(QObject* watched, QEvent* event) {
     }
     if (watched == m_list->viewport()) {
         switch (event->type()) {
+        case QEvent::Resize:
+            shareWidth();
+            break;
         case QEvent::DragEnter:
         case QEvent::DragMove: {
             auto* drag = static_cast<QDragMoveEvent*>(event);

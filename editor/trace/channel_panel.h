@@ -46,6 +46,7 @@ protected:
 
 private:
     void rebuild();
+    void shareWidth();
     void showProperties();
     void describeChannel(int channel);
     void describeChart(int chart);

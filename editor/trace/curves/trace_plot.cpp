@@ -150,6 +150,8 @@ QColor channelColor(const TraceSetup& setup, size_t channel) {
     return kit::colors().curve(static_cast<int>(channel));
 }
 
+QColor drawnColor(const TraceSetup& setup, size_t channel) { return readable(channelColor(setup, channel)); }
+
 plot::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
     switch (channel.style) {
     case ChannelStyle::Line:
@@ -204,7 +206,7 @@ void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed
         curve.id = QString::number(i);
         curve.name = QString::fromStdString(channel.label.empty() ? channel.expression : channel.label);
         curve.unit = QString::fromStdString(channel.unit);
-        curve.color = readable(channelColor(setup, i));
+        curve.color = drawnColor(setup, i);
         curve.width = channel.width;
         curve.style = styleOf(channel, type);
         curve.chart = channel.chart;

@@ -26,6 +26,8 @@ void applyBeneath(plot::PlotModel& model, const TraceSetup& setup, const TraceFe
 /// `recording`: of the channels that are read from that file, else of those without one.
 [[nodiscard]] std::vector<std::string> expressionsOf(const TraceSetup& setup, const std::string& recording = {});
 [[nodiscard]] QColor channelColor(const TraceSetup& setup, size_t channel);
+/// The colour in which its curve is drawn: that one, or a lighter or darker one that can be read on the present ground.
+[[nodiscard]] QColor drawnColor(const TraceSetup& setup, size_t channel);
 [[nodiscard]] plot::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type);
 
 } // namespace plc::trace

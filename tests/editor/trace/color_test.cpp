@@ -25,7 +25,7 @@ TEST(ChannelColor, IsTheOneThatTheNameSays) {
 }
 
 /// What the curve of the only channel is drawn in.
-QColor drawnColor(const char* own) {
+QColor drawnOf(const char* own) {
     TraceSetup setup;
     setup.charts.emplace_back();
     setup.channels.emplace_back();
@@ -39,16 +39,16 @@ QColor drawnColor(const char* own) {
 TEST(ChannelColor, OfALightGroundCanBeReadOnADarkOne) {
     const char* const chosen[] = {"#1f5fbf", "#c03030", "#7a4fa3", "#2c7c86",
                                   "#404040", "#000080", "#8a5a00", "#ffd040"};
-    EXPECT_EQ(drawnColor("#1f5fbf"), QColor("#1f5fbf"));
+    EXPECT_EQ(drawnOf("#1f5fbf"), QColor("#1f5fbf"));
     kit::Theme::current().setChoice(kit::ThemeChoice::Dark);
     for (const char* color : chosen) {
-        const QColor drawn = drawnColor(color);
+        const QColor drawn = drawnOf(color);
         EXPECT_GE(kit::contrast(drawn, kit::colors().plotGround), 4.5) << color << " as " << drawn.name().toStdString();
         if (QColor(color).hslSaturationF() > 0.1F) {
             EXPECT_NEAR(drawn.hslHueF(), QColor(color).hslHueF(), 0.02) << color << ": the same colour, lighter";
         }
     }
-    EXPECT_EQ(drawnColor("#ffd040"), QColor("#ffd040")) << "light enough";
+    EXPECT_EQ(drawnOf("#ffd040"), QColor("#ffd040")) << "light enough";
     kit::Theme::current().setChoice(kit::ThemeChoice::Light);
 }
 

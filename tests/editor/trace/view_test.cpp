@@ -128,6 +128,37 @@ TEST_F(TraceViewTest, DroppedVariablesGoWhereTheyFell) {
     EXPECT_EQ(view.setup().channels[1].chart, 1);
 }
 
+TEST_F(TraceViewTest, LongValuesLeaveTheNamesTheirRoom) {
+    TraceSetup setup = view.setup();
+    setup.channels.emplace_back();
+    setup.channels[0].expression = "Main.sine";
+    setup.channels[0].unit = "kilograms per square metre";
+    view.setSetup(setup);
+    QTreeWidget* list = view.channels()->list();
+    view.grab();
+    runFor(7);
+    const QTreeWidgetItem* item = list->topLevelItem(0)->child(0);
+    ASSERT_TRUE(item->text(1).contains("kilograms"));
+    const QAbstractItemView& sizes = *list;
+    ASSERT_GT(sizes.sizeHintForColumn(0) + sizes.sizeHintForColumn(1), list->viewport()->width()) << "not both fit";
+    EXPECT_GE(list->columnWidth(0), sizes.sizeHintForColumn(0));
+    EXPECT_GE(list->columnWidth(1), list->fontMetrics().horizontalAdvance("-0.958"));
+    EXPECT_EQ(item->toolTip(1), item->text(1));
+}
+
+TEST_F(TraceViewTest, TheListShowsTheColourOfTheCurveOnADarkGroundToo) {
+    kit::Theme::current().setChoice(kit::ThemeChoice::Dark);
+    TraceSetup setup = view.setup();
+    setup.channels.emplace_back();
+    setup.channels[0].expression = "Main.sine";
+    setup.channels[0].color = "#1f5fbf";
+    view.setSetup(setup);
+    view.grab();
+    const QImage swatch = view.channels()->list()->topLevelItem(0)->child(0)->icon(0).pixmap(16, 16).toImage();
+    EXPECT_EQ(swatch.pixelColor(swatch.rect().center()).name(), view.plot()->model().curves.at(0).color.name());
+    kit::Theme::current().setChoice(kit::ThemeChoice::Light);
+}
+
 TEST_F(TraceViewTest, PropertiesChangeTheCurve) {
     type("Main.ramp");
     view.channels()->selectChannel(0);
