@@ -11905,7 +11905,7 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
     </message>
     <message>
         <source>No elements yet. Drag one from the palette onto the panel.</source>
-        <translation>Aucun élément. Faites-en glisser un de la palette vers le panneau.</translation>
+        <translation>Aucun élément. Faites-en glisser un de la palette sur la vue.</translation>
     </message>
     <message>
         <source>Reorder</source>

@@ -11889,7 +11889,7 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
     </message>
     <message>
         <source>No elements yet. Drag one from the palette onto the panel.</source>
-        <translation>尚无元素。请从选项板将元素拖到面板上。</translation>
+        <translation>尚无元素。请从选项板将元素拖到画面上。</translation>
     </message>
     <message>
         <source>Reorder</source>

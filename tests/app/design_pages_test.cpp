@@ -95,11 +95,11 @@ TEST_F(DesignPagesTest, ThePlaceOfTheCursorIsShownOnlyForATextInFront) {
     ASSERT_NE(window->tabs().currentEditor(), nullptr);
     const int text = window->tabs().currentIndex();
     window->tabs().currentEditor()->setCursorPosition(1, 0);
-    EXPECT_EQ(place().toStdString(), "2 : 1");
+    EXPECT_TRUE(waitFor([&] { return place() == "2 : 1"; })) << place().toStdString();
     ASSERT_NE(openFromTree("overview"), nullptr);
-    EXPECT_EQ(place().toStdString(), "");
+    EXPECT_TRUE(waitFor([&] { return place().isEmpty(); })) << place().toStdString();
     window->tabs().setCurrentIndex(text);
-    EXPECT_EQ(place().toStdString(), "2 : 1");
+    EXPECT_TRUE(waitFor([&] { return place() == "2 : 1"; })) << place().toStdString();
 }
 
 TEST_F(DesignPagesTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {
