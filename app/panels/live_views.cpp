@@ -6,7 +6,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/workspace/path_completion.h"
 #include "hmi/alarms/alarm_export.h"
-#include "hmi/station/unread_panels.h"
+#include "hmi/check/unread_panels.h"
 #include "hmi/texts/language_tags.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -28,7 +28,7 @@ namespace {
 
 /// In the place of the panel, where there is none to show.
 void sayWhyEmpty(QWidget& place, const hmi::PanelProject& project) {
-    const QStringList unread = hmi::unreadPanels(project);
+    const QStringList unread = hmi::unreadPanels(project.folder, project.panels);
     if (auto* label = qobject_cast<QLabel*>(&place))
         label->setText(unread.isEmpty()
                            ? LiveViews::tr("This project has no panel yet.\nNew panels are drawn in the designer: "

@@ -2,6 +2,7 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/workspace/project_gone.h"
+#include "hmi/check/unread_panels.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,4 +1,5 @@
 #include "hmi/check/panel_check.h"
+#include "hmi/check/unread_panels.h"
 
 #include "hmi/check/application_check.h"
 #include "hmi/check/faceplate_check.h"
@@ -9,7 +10,6 @@
 #include "hmi/model/walk.h"
 #include "hmi/view/element_factory.h"
 
-#include <QDir>
 #include <QFontDatabase>
 #include <QFontMetrics>
 #include <QSet>
@@ -312,24 +312,9 @@ QString Finding::text() const {
 
 namespace {
 
-/// On disk and not among the panels: their files have a finding of their own, and what they say and use is unknown.
-QStringList unreadPanels(const CheckInput& input) {
-    QStringList out;
-    if (input.folder.isEmpty()) return out;
-    const QString ending = QStringLiteral(".panel.json");
-    for (const QString& file :
-         QDir(input.folder + QStringLiteral("/hmi")).entryList({u'*' + ending}, QDir::Files, QDir::Name)) {
-        const QString name = file.chopped(ending.size());
-        if (std::none_of(input.panels.begin(), input.panels.end(),
-                         [&](const NamedPanel& one) { return one.name == name; }))
-            out += name;
-    }
-    return out;
-}
-
 /// What seems to be missing or unused only because a panel could not be read.
 void dropFollowUps(std::vector<Finding>& found, const CheckInput& input) {
-    const QStringList unread = unreadPanels(input);
+    const QStringList unread = unreadPanels(input.folder, input.panels);
     if (unread.isEmpty()) return;
     std::erase_if(found, [&](const Finding& one) {
         if (one.kind == FindingKind::OrphanKey) return true;
@@ -346,7 +331,7 @@ std::vector<Finding> checkPanels(const CheckInput& input) {
     for (const NamedPanel& panel : input.panels) checker.checkPanel(panel);
     if (input.hasAlarms) checker.checkAlarms();
     checker.append(checkApplication(input));
-    if (unreadPanels(input).isEmpty()) checker.append(checkStandardOfAll(input));
+    if (unreadPanels(input.folder, input.panels).isEmpty()) checker.append(checkStandardOfAll(input));
     checker.checkTable();
     checker.checkFonts();
     for (const NamedPanel& panel : input.panels) checker.checkFit(panel);
@@ -360,7 +345,7 @@ std::vector<Finding> checkPanel(const CheckInput& input, const NamedPanel& panel
     checker.checkFit(panel);
     // What all panels say of this one: its way, its keys' places.
     std::vector<Finding> ofAll;
-    if (unreadPanels(input).isEmpty()) ofAll = checkStandardOfAll(input);
+    if (unreadPanels(input.folder, input.panels).isEmpty()) ofAll = checkStandardOfAll(input);
     std::erase_if(ofAll, [&](const Finding& one) { return one.file != panelFile(panel.name); });
     checker.append(std::move(ofAll));
     dropFollowUps(checker.found, input);

@@ -1,8 +1,8 @@
 #include "hmi/station/panel_project.h"
 
+#include "hmi/check/unread_panels.h"
 #include "hmi/model/errors.h"
 #include "hmi/model/layout.h"
-#include "hmi/station/unread_panels.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -171,20 +171,6 @@ bool PanelProject::readPeople() {
     return isGood;
 }
 
-QStringList unreadPanels(const PanelProject& project) {
-    QStringList out = project.folder.isEmpty() ? QStringList() : panelsOnDisk(project.folder);
-    out.removeIf([&](const QString& name) { return project.find(name) != nullptr; });
-    return out;
-}
-
-QStringList panelsOnDisk(const QString& folder) {
-    QStringList out;
-    for (const QString& file :
-         QDir(folder + QStringLiteral("/hmi")).entryList({QStringLiteral("*.panel.json")}, QDir::Files, QDir::Name))
-        out += file.chopped(11);
-    return out;
-}
-
 Result<void> chooseTheme(PanelProject& project, const std::string& name) {
     std::vector<std::string> names;
     for (const QString& one : project.themes.names()) names.push_back(toUtf8(one));
@@ -229,7 +215,7 @@ void PanelProject::readSettings(const projects::Project& project) {
 }
 
 void PanelProject::findStartPanel() {
-    if (!startPanel.isEmpty() && !find(startPanel) && !unreadPanels(*this).contains(startPanel))
+    if (!startPanel.isEmpty() && !find(startPanel) && !unreadPanels(folder, panels).contains(startPanel))
         problems.push_back({errors::NoPanel(toUtf8(startPanel)), "project.json"});
     startPanel = startOrFirst();
 }

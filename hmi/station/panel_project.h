@@ -66,8 +66,6 @@ struct PanelProject {
     QString themePath(const QString& name) const;
 };
 
-/// The panels in the folder, by name.
-QStringList panelsOnDisk(const QString& folder);
 /// Shows all panels in this theme; an empty name is each panel's own.
 Result<void> chooseTheme(PanelProject& project, const std::string& name);
 PanelProject loadPanelProject(const projects::Project& project);
