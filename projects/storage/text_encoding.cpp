@@ -183,10 +183,8 @@ std::string_view nameOf(Encoding encoding) {
 bool isCodePage(Encoding encoding) { return encoding > Encoding::Utf16Be; }
 
 std::optional<Encoding> encodingNamed(std::string_view name) {
-    const std::string folded = foldCase(name);
     const auto isNamed = [&](std::string_view shown, std::string_view others) {
-        const std::string all = " " + foldCase(shown) + " " + std::string(others) + " ";
-        return !folded.empty() && all.find(" " + folded + " ") != std::string::npos;
+        return isNameOfEncoding(name, shown, others);
     };
     if (isNamed("UTF-8", "utf8")) return Encoding::Utf8;
     if (isNamed("UTF-16", "utf-16le")) return Encoding::Utf16Le;

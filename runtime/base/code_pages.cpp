@@ -1,5 +1,9 @@
 #include "runtime/base/code_pages.h"
 
+#include "runtime/base/text.h"
+
+#include <string>
+
 namespace plc {
 
 namespace {
@@ -174,6 +178,13 @@ std::array<char16_t, 128> upperHalfOf(std::string_view codePage) {
     for (const UpperHalf& each : kUpperHalves)
         if (each.codePage == codePage) return each.characters;
     return {};
+}
+
+bool isNameOfEncoding(std::string_view name, std::string_view shown, std::string_view others) {
+    const std::string folded = foldCase(name);
+    const std::string all = " " + foldCase(shown) + " " + std::string(others) + " ";
+    return !folded.empty() && folded.find(' ') == std::string::npos &&
+           all.find(" " + folded + " ") != std::string::npos;
 }
 
 } // namespace plc

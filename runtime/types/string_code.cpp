@@ -108,11 +108,8 @@ std::string_view nameOf(StringCode code) {
 }
 
 std::optional<StringCode> stringCodeNamed(std::string_view name) {
-    const std::string folded = foldCase(name);
     const auto isNamed = [&](std::string_view shown, std::string_view others) {
-        const std::string all = " " + foldCase(shown) + " " + std::string(others) + " ";
-        return !folded.empty() && folded.find(' ') == std::string::npos &&
-               all.find(" " + folded + " ") != std::string::npos;
+        return isNameOfEncoding(name, shown, others);
     };
     if (isNamed("Latin-1", "latin1 iso-8859-1")) return StringCode::Latin1;
     if (isNamed("UTF-8", "utf8")) return StringCode::Utf8;
