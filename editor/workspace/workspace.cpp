@@ -249,10 +249,14 @@ Result<void> Workspace::rereadProject() {
 Result<void> Workspace::saveProjectFile(const nlohmann::ordered_json& json) {
     if (folder().isEmpty()) return Error{errors::SingleFilesHaveNoSettings(), ""};
     projects::Project changed = *m_project;
-    auto onDisk = projects::readProjectJson(changed.folder);
-    if (!onDisk) return onDisk.error();
-    changed.json = std::move(*onDisk);
-    projects::carryChanges(m_project->json, json, changed.json);
+    if (QFile::exists(absolutePath(QStringLiteral("project.json")))) {
+        auto onDisk = projects::readProjectJson(changed.folder);
+        if (!onDisk) return onDisk.error();
+        changed.json = std::move(*onDisk);
+        projects::carryChanges(m_project->json, json, changed.json);
+    } else {
+        changed.json = json; // gone: it is written whole
+    }
     if (auto read = projects::readSettings(changed, changed.folder + "/project.json"); !read) return read;
     if (auto saved = projects::saveProjectFile(changed); !saved) return saved;
     takeSettings(std::move(changed));

@@ -140,6 +140,12 @@ TEST_F(ProjectSettingsTest, WhatAnotherProgramWritesIsTakenOverAndKept) {
     EXPECT_EQ(window->workspace().project().name, "Ours");
 }
 
+TEST_F(ProjectSettingsTest, AFileThatIsGoneIsWrittenWhole) {
+    ASSERT_TRUE(QFile::remove(folder.path() + "/project.json"));
+    inForm([&](ProjectSettingsDialog& dialog) { type(field<QLineEdit>(dialog, "Name"), "Again"); }, Qt::Key_Return);
+    EXPECT_EQ(onDisk(), Json::parse(R"({"name": "Again", "libraries": []})"));
+}
+
 TEST_F(ProjectSettingsTest, ASingleFileHasNone) {
     write("alone/one.st", kMain);
     ASSERT_TRUE(window->openProject(folder.path() + "/alone/one.st"));
