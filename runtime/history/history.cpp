@@ -273,9 +273,7 @@ void History::State::restore(const Segment& segment, uint32_t index, std::byte* 
     for (uint32_t block = 0; block < segment.blocks; ++block) {
         std::byte bytes[kBlock]; // the last block may lie over the end
         std::memcpy(bytes, segment.keyframe.get() + size_t(block) * kBlock, kBlock);
-        // Changes name offsets of the image; the block is only a window of it.
-        std::byte* const base = bytes - size_t(block) * kBlock;
-        for (BlockCursor cursor(segment, block); cursor.index() <= index;) cursor.apply(base);
+        for (BlockCursor cursor(segment, block); cursor.index() <= index;) cursor.applyToBlock(bytes);
         std::memcpy(image + size_t(block) * kBlock, bytes,
                     std::min<size_t>(kBlock, segment.dataEnd - size_t(block) * kBlock));
     }

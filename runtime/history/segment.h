@@ -162,9 +162,10 @@ public:
     BlockCursor(const Segment& segment, uint32_t block) : m_log(segment, block), block(block) { read(); }
     [[nodiscard]] uint32_t index() const { return m_index; } // of the next entry; kEnd = none
     [[nodiscard]] uint16_t mask() const { return m_mask; }
-    void apply(std::byte* image) {
+    void apply(std::byte* image) { applyToBlock(image + size_t(block) * kBlock); }
+    /// `target`: the block alone.
+    void applyToBlock(std::byte* target) {
         const std::byte* word = m_entry + sizeof(EntryHead);
-        std::byte* target = image + size_t(block) * kBlock;
         for (unsigned rest = m_mask; rest != 0; rest &= rest - 1, word += 4)
             std::memcpy(target + std::countr_zero(rest) * 4, word, 4);
         m_log.skip(static_cast<uint32_t>(word - m_entry));

@@ -30,7 +30,7 @@ public:
     explicit Reading(std::string_view bytes) : m_rest(bytes) {}
     void bytes(void* data, size_t size) {
         if (size > m_rest.size()) m_isGood = false;
-        if (!m_isGood) return;
+        if (!m_isGood || size == 0) return;
         std::memcpy(data, m_rest.data(), size);
         m_rest.remove_prefix(size);
     }

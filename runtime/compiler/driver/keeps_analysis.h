@@ -7,7 +7,11 @@ namespace plc::driver {
 
 struct KeepsAnalysis {
     std::shared_ptr<const sema::Analysis> analysis;
-    void operator()(image::CompiledProgram* program) const { delete program; }
+    /// Lets go at once: the deleter itself lives as long as the last weak reference, and the analysis has one.
+    void operator()(image::CompiledProgram* program) {
+        delete program;
+        analysis.reset();
+    }
 };
 
 } // namespace plc::driver

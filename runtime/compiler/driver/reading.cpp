@@ -31,7 +31,10 @@ struct KeepsEarlier {
     };
     std::vector<Earlier> earlier; // in the order of the file
     size_t first = 0;             // of the tree's own declarations
-    void operator()(const syntax::SyntaxFile* tree) const { delete tree; }
+    void operator()(const syntax::SyntaxFile* tree) {
+        delete tree;
+        earlier.clear(); // the deleter itself lives as long as the last weak reference
+    }
 };
 
 /// Each keeps its tokens as well, so that a file edited at many places is read in whole now and then.
