@@ -1045,6 +1045,10 @@
         <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
         <translation>{0} er ikke en aktionskvalifikator; brug N, R, S, L, D, P, P0, P1, SD, DS eller SL</translation>
     </message>
+    <message>
+        <source>{0} needs a time after :=, for example T#5s; write one or remove the pragma</source>
+        <translation>{0} kræver en tid efter :=, for eksempel T#5s; skriv en, eller fjern pragmaet</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>

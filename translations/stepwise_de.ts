@@ -1045,6 +1045,10 @@
         <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
         <translation>{0} ist kein Bestimmungszeichen; N, R, S, L, D, P, P0, P1, SD, DS oder SL verwenden</translation>
     </message>
+    <message>
+        <source>{0} needs a time after :=, for example T#5s; write one or remove the pragma</source>
+        <translation>{0} braucht hinter := eine Zeit, zum Beispiel T#5s; eine schreiben oder das Pragma entfernen</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>

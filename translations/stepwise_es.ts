@@ -1045,6 +1045,10 @@
         <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
         <translation>{0} no es un calificador de acción; use N, R, S, L, D, P, P0, P1, SD, DS o SL</translation>
     </message>
+    <message>
+        <source>{0} needs a time after :=, for example T#5s; write one or remove the pragma</source>
+        <translation>{0} necesita un tiempo después de :=, por ejemplo T#5s; escriba uno o elimine el pragma</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>

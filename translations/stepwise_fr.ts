@@ -1045,6 +1045,10 @@
         <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
         <translation>{0} n’est pas un qualificatif d’action&#x202f;; utiliser N, R, S, L, D, P, P0, P1, SD, DS ou SL</translation>
     </message>
+    <message>
+        <source>{0} needs a time after :=, for example T#5s; write one or remove the pragma</source>
+        <translation>{0} demande un temps après :=, par exemple T#5s&#x202f;; en écrire un ou supprimer le pragma</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>

@@ -1045,6 +1045,10 @@
         <source>{0} is not an action qualifier; use N, R, S, L, D, P, P0, P1, SD, DS or SL</source>
         <translation>{0} 不是动作限定符；请使用 N、R、S、L、D、P、P0、P1、SD、DS 或 SL</translation>
     </message>
+    <message>
+        <source>{0} needs a time after :=, for example T#5s; write one or remove the pragma</source>
+        <translation>{0} 在 := 之后需要时间，例如 T#5s；请写入时间或删除此编译指示</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>

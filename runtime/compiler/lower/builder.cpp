@@ -136,6 +136,14 @@ Block Builder::statements(const std::string& text, SourceRange place, const std:
     return block;
 }
 
+Expr* Builder::expression(std::string_view text, SourceRange place) {
+    diagnostics::Sink sink;
+    Expr* e = parse::parseExpression(m_file, text, sink);
+    if (sink.hasErrors()) return nullptr;
+    settle(e, place, {});
+    return e;
+}
+
 void Builder::settle(Expr*& e, SourceRange place, const std::vector<Expr*>& holes) {
     if (!e) return;
     if (e->kind == ExprKind::NameRef && e->name.text.starts_with(kHole)) {

@@ -39,6 +39,9 @@ public:
     /// Statements from ST text; `__hole0`, `__hole1`… stand for the expressions. Every other range becomes `place`.
     Block statements(const std::string& text, SourceRange place, const std::vector<Expr*>& holes = {});
 
+    /// An expression that the user wrote where the parser keeps text (a pragma); null when it is none.
+    Expr* expression(std::string_view text, SourceRange place);
+
     /// Declares `name : type` (or of the type of `inferredFrom`) in the section.
     syntax::VarDecl* declare(syntax::VarSection& section, Name name, std::string_view type,
                              Expr* inferredFrom = nullptr);

@@ -137,6 +137,7 @@ public:
         declareSteps();
         if (m_number == "0") m_flags.check(m_unit.pou, m_sink);
         if (m_steps.empty()) return {};
+        checkStepTimes();
         started();
         collectControls();
         // The order of edition 2, 2.6.5: times first, since conditions read them; then all transitions against the
@@ -283,7 +284,7 @@ private:
                 // twice.
                 guard += (guard.empty() ? "" : " AND ") + step(s) + ".X AND NOT " + step(s) + ".leave";
                 effect += step(s) + ".leave := TRUE;";
-                if (Expr* least = pragmaTime(s, "minTime")) {
+                if (Expr* least = stepTime(s, "minTime")) {
                     guard += " AND " + step(s) + ".T >= __hole" + std::to_string(holes.size());
                     holes.push_back(least);
                 }
@@ -337,14 +338,20 @@ private:
         return out;
     }
 
-    /// {maxTime := T#5s}: a copy of the pragma's expression.
-    Expr* pragmaTime(const StepDecl& s, std::string_view key) {
-        for (const syntax::Pragma& pragma : s.pragmas) {
-            if (!equalsIgnoringCase(pragma.key, key)) continue;
-            Block block = m_builder.statements("__x := " + std::string(pragma.value) + ";", pragma.range);
-            // The value is read as an expression of ST: any duration will do, a name included.
-            if (block.size() == 1 && block[0]->kind == StmtKind::Assign) return duration(block[0]->value);
-        }
+    static bool isStepTime(const syntax::Pragma& pragma, std::string_view key) {
+        return !pragma.isAttribute && equalsIgnoringCase(pragma.key, key);
+    }
+    void checkStepTimes() {
+        for (const StepDecl* s : m_steps)
+            for (const syntax::Pragma& pragma : s->pragmas)
+                for (const std::string_view key : {"minTime", "maxTime"})
+                    if (isStepTime(pragma, key) && !m_builder.expression(pragma.value, pragma.range))
+                        m_sink.emit(pragma.range, findings::StepTime(Verbatim(std::string(key))));
+    }
+    /// {maxTime := T#5s}: a copy of the pragma's expression; any duration will do, a name included.
+    Expr* stepTime(const StepDecl& s, std::string_view key) {
+        for (const syntax::Pragma& pragma : s.pragmas)
+            if (isStepTime(pragma, key)) return duration(m_builder.expression(pragma.value, pragma.range));
         return nullptr;
     }
 
@@ -353,7 +360,7 @@ private:
         const bool error = m_flags.has("SFCError"), name = m_flags.has("SFCErrorStep");
         if (error || name)
             for (const StepDecl* s : m_steps) {
-                Expr* most = pragmaTime(*s, "maxTime");
+                Expr* most = stepTime(*s, "maxTime");
                 if (!most) continue;
                 std::string text = "IF " + std::string(m_flags.has("SFCEnableLimit") ? "SFCEnableLimit AND " : "") +
                                    (error ? "NOT SFCError AND " : "") + step(*s) + ".X AND " + step(*s) +
