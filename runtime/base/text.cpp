@@ -1,6 +1,7 @@
 #include "runtime/base/text.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -201,18 +202,30 @@ size_t editDistance(std::string_view left, std::string_view right) {
     return row[b.size()];
 }
 
+/// The ASCII characters of a name without case, some of them as one. An edit adds at most one and takes at most one.
+static uint32_t charactersOf(std::string_view name) {
+    uint32_t out = 0;
+    for (const char c : name)
+        if (static_cast<unsigned char>(c) < 0x80) out |= 1u << (static_cast<unsigned char>(c) & 31);
+    return out;
+}
+
+/// Of several at the same distance the first in the order of bytes, whatever the order of the candidates.
 std::optional<std::string> nearestName(std::string_view name, const std::vector<std::string>& candidates) {
-    std::optional<std::string> best;
-    size_t bestDistance = std::max<size_t>(1, name.size() / 3) + 1;
+    const std::string* best = nullptr;
+    size_t bestDistance = std::max<size_t>(1, name.size() / 3); // the largest that counts, until one is found
+    const uint32_t characters = charactersOf(name);
     for (const std::string& candidate : candidates) {
-        if (candidate.size() + bestDistance <= name.size() || name.size() + bestDistance <= candidate.size()) continue;
+        if (candidate.size() + bestDistance < name.size() || name.size() + bestDistance < candidate.size()) continue;
+        const auto different = static_cast<size_t>(std::popcount(characters ^ charactersOf(candidate)));
+        if (different > 2 * bestDistance) continue; // most names are this far away
         const size_t distance = editDistance(name, candidate);
-        if (distance < bestDistance && distance < candidate.size()) {
-            best = candidate;
-            bestDistance = distance;
-        }
+        if (distance > bestDistance || distance >= candidate.size()) continue;
+        if (best && distance == bestDistance && candidate >= *best) continue;
+        best = &candidate;
+        bestDistance = distance;
     }
-    return best;
+    return best ? std::optional(*best) : std::nullopt;
 }
 
 bool isNameLetter(char32_t c) {

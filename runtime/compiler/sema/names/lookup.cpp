@@ -159,8 +159,7 @@ Found lookupPath(const World& world, const Scope& scope, const syntax::Path& pat
     return found;
 }
 
-/// What a namespace has.
-// For suggestions; the order does not matter, visibleNames sorts.
+/// What a namespace has, in no order: for suggestions.
 void addNames(const World& world, const Space& space, std::vector<std::string>& out) {
     for (const auto& [id, entities] : space.entities)
         for (const Entity& entity : entities)
@@ -200,8 +199,6 @@ std::vector<std::string> visibleNames(const World& world, const Scope& scope) {
     if (const auto it = world.fileUsings.find(scope.file); it != world.fileUsings.end()) addSpaces(it->second);
     addSpaces(world.libraries);
     for (const library::Signature& signature : library::signatures()) out.emplace_back(signature.name);
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }
 
@@ -219,8 +216,6 @@ std::vector<std::string> memberNames(const World& world, TypeId type) {
             for (const Unit* method : interface->methods) out.push_back(method->name);
     }
     for (const types::Enumerator& enumerator : world.types[type].enumerators) out.push_back(enumerator.name);
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }
 
