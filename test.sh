@@ -11,23 +11,35 @@ for word in "$@"; do
     esac
 done
 
-parts=() # "title<tab>seconds" of what is done
+parts=()  # "title<tab>seconds" of what is done
+failed=() # titles
 current=
 begun=0
-part() { # title command…   runs it and keeps how long it took
+# Runs a command and keeps how long it took. A failure ends a short run at once; a long one goes on, says so at its end, and fails then.
+part() { # title command…
     current=$1
     begun=$SECONDS
-    shift
-    "$@"
+    local code=0
+    set +e
+    (set -e; "${@:2}")
+    code=$?
+    set -e
+    [ "$code" = 0 ] || { failed+=("$1"); current="$1: FAILED"; }
     parts+=("$current"$'\t'"$((SECONDS - begun))")
     current=
+    [ "$code" = 0 ] || [ "$long" = 1 ] || exit "$code"
+    return 0
+}
+is_built() { # preset   and so it can be tested
+    local title
+    for title in "${failed[@]}"; do [[ "$title" != "$1: build"* ]] || return 1; done
 }
 at_end() {
     local code=$? line
     local left
     left=$(jobs -p)
     [ -z "$left" ] || kill $left 2>/dev/null || true
-    [ -z "$current" ] || parts+=("$current: FAILED"$'\t'"$((SECONDS - begun))")
+    [ -z "$current" ] || parts+=("$current: not finished"$'\t'"$((SECONDS - begun))")
     if [ "$long" = 1 ] && [ ${#parts[@]} -gt 0 ]; then
         say "what ran"
         for line in "${parts[@]}" "all"$'\t'"$SECONDS"; do
@@ -89,26 +101,40 @@ at_length() { # name of a long test
     esac
 }
 
+# The targets that take texts of the language run without sanitizers (preset fuzz), so that they see many texts; what they kept is
+# run once with them afterwards. The others run with sanitizers from the start.
+of_texts=(fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change)
+of_bytes=(fuzz_messages fuzz_inputs fuzz_peers)
+
+with_sanitizers() {
+    export ASAN_OPTIONS=detect_leaks=1:malloc_context_size=4:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
+    export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0 QT_QPA_PLATFORM=offscreen
+}
+# Leaks are looked for once, at the end: a cache that grows would be searched for in each of the first thousand inputs.
+fuzz_options=(-timeout=20 -rss_limit_mb=4096 -detect_leaks=0 -entropic=0 -print_final_stats=1)
+
 fuzz() { # fuzz target
-    local seeds=(tests/fuzz/seeds tests/fuzz/findings tests/golden)
-    mkdir -p "build/fuzz/corpus/$1" build/fuzz/findings
-    if [ "$1" = fuzz_inputs ]; then # its seeds are the files of the examples
+    local seeds=(tests/fuzz/seeds tests/fuzz/findings tests/golden) preset=asan longest=8192 words=()
+    mkdir -p "build/fuzz_corpus/$1" build/fuzz_findings
+    case "$1" in
+    fuzz_inputs) # its seeds are the files of the examples
+        tests/fuzz/input_seeds.sh "build/fuzz_corpus/$1"
         seeds=()
-        tests/fuzz/input_seeds.sh "build/fuzz/corpus/$1"
-    fi
-    if [ "$1" = fuzz_messages ]; then # whole sessions with other editors
-        seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts)
-    fi
-    [ "$1" != fuzz_peers ] || seeds=(tests/fuzz/peers)
-    export ASAN_OPTIONS=detect_leaks=1:malloc_context_size=4:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
-    export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0
-    local longest=8192 words=()
-    if [ "$1" = fuzz_inputs ]; then
         longest=65536 # a recording holds the libraries' text
-        words=("-dict=build/fuzz/corpus/$1.dict")
-    fi
-    exec "build/asan/bin/$1" -max_total_time="${FUZZ_SECONDS:-300}" -timeout=20 -rss_limit_mb=4096 -max_len="$longest" "${words[@]}" -print_final_stats=1 \
-        "-artifact_prefix=build/fuzz/findings/${1}_" "build/fuzz/corpus/$1" "${seeds[@]}"
+        words=("-dict=build/fuzz_corpus/$1.dict")
+        ;;
+    fuzz_messages) seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts) ;; # whole sessions with other editors
+    fuzz_peers) seeds=(tests/fuzz/peers) ;;
+    *) preset=fuzz ;;
+    esac
+    with_sanitizers
+    exec "build/$preset/bin/$1" "${fuzz_options[@]}" -max_total_time="${FUZZ_SECONDS:-300}" -max_len="$longest" "${words[@]}" \
+        "-artifact_prefix=build/fuzz_findings/${1}_" "build/fuzz_corpus/$1" "${seeds[@]}"
+}
+
+again_with_sanitizers() { # fuzz target of texts
+    with_sanitizers
+    exec "build/asan/bin/$1" "${fuzz_options[@]}" -runs=0 -max_len=65536 "-artifact_prefix=build/fuzz_findings/${1}_" "build/fuzz_corpus/$1"
 }
 
 if [ "$long" = 1 ]; then install_missing clang-19 libclang-rt-19-dev; else install_missing; fi
@@ -124,14 +150,20 @@ if [ "$long" = 1 ]; then
         side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"
     configure asan
     part "asan: build, with the fuzz targets" build asan
-    part "asan: every test" run_tests asan
-    at_once=${FUZZERS:-2}
-    [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
-    say "fuzz: ${FUZZ_SECONDS:-300} s each, $at_once at once; a finding lies in build/fuzz/findings"
-    part "fuzz: eight targets, ${FUZZ_SECONDS:-300} s each, $at_once at once" \
-        side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change fuzz_messages fuzz_inputs fuzz_peers
+    if is_built asan; then
+        part "asan: every test" run_tests asan
+        configure fuzz
+        part "fuzz: build" build fuzz "${of_texts[@]}"
+        at_once=${FUZZERS:-2}
+        [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
+        say "fuzz: ${FUZZ_SECONDS:-300} s each, $at_once at once; a finding lies in build/fuzz_findings"
+        part "fuzz: eight targets, ${FUZZ_SECONDS:-300} s each, $at_once at once" \
+            side_by_side "$at_once" build/fuzz_logs fuzz "${of_texts[@]}" "${of_bytes[@]}"
+        part "fuzz: what five of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_texts[@]}"
+    fi
     configure tsan
     part "tsan: build" build tsan
-    part "tsan: every test with threads" run_tests tsan
+    ! is_built tsan || part "tsan: every test with threads" run_tests tsan
+    [ ${#failed[@]} -eq 0 ] || { printf 'Failed: %s\n' "${failed[@]}" >&2; exit 1; }
 fi
 say "all tests passed"

@@ -53,7 +53,7 @@ def reached_by(target: str, corpus: pathlib.Path) -> dict[tuple[str, str], tuple
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--missing", action="store_true", help="list the functions that no target reaches")
-    arguments.add_argument("--corpus", type=pathlib.Path, default=ROOT / "build/fuzz/corpus")
+    arguments.add_argument("--corpus", type=pathlib.Path, default=ROOT / "build/fuzz_corpus")
     arguments.add_argument("targets", nargs="*", metavar="TARGET")
     asked = arguments.parse_args()
     targets = asked.targets or [each for each in TARGETS if (ROOT / "build/asan/bin" / each).exists()]
