@@ -1,11 +1,11 @@
 #include "editor/kit/inputs/property_delegate.h"
 
+#include "editor/kit/inputs/choice_box.h"
 #include "editor/kit/inputs/property_grid.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/word_list.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -23,10 +23,12 @@ namespace plc::kit {
 
 namespace {
 
-// Properties of an open editor: that it has its value, and what the row had before any preview.
+// Properties of an open editor: that it has its value, what the row had before any preview, and that it has been
+// closed.
 constexpr const char* kIsFilled = "isFilled";
 constexpr const char* kBefore = "before";
 constexpr const char* kWasVarious = "wasVarious";
+constexpr const char* kIsFinished = "isFinished";
 
 QString idOf(const QModelIndex& index) {
     return index.sibling(index.row(), 0).data(PropertyDelegate::IdRole).toString();
@@ -143,8 +145,9 @@ void PropertyDelegate::finish(QWidget* editor) const {
     auto* self = const_cast<PropertyDelegate*>(this);
     const std::optional<QVariant> value = valueOf(editor, id);
     takePreviewBack(editor, id);
+    editor->setProperty(kIsFinished, true);
     emit self->closeEditor(editor);
-    if (value) m_grid.commit(id, *value);
+    commit(id, value);
 }
 
 QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) const {
@@ -225,13 +228,15 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
         return spin;
     }
     case PropertyKind::Enumeration: {
-        auto* combo = new QComboBox(parent);
-        combo->setFrame(false);
+        auto* combo = new ChoiceBox(parent);
         for (const PropertyChoice& choice : d->choices) combo->addItem(iconOf(choice), choice.label, choice.value);
         connect(combo, &QComboBox::highlighted, grid,
                 [grid, id, combo](int row) { emit grid->previewed(id, combo->itemData(row)); });
         connect(combo, &QComboBox::activated, this, [this, combo] { finish(combo); });
-        QTimer::singleShot(0, combo, [combo] { combo->showPopup(); });
+        connect(combo, &ChoiceBox::closed, this, [this, combo] {
+            if (!combo->property(kIsFinished).toBool()) finish(combo); // nothing chosen
+        });
+        QTimer::singleShot(0, combo, &ChoiceBox::open);
         return combo;
     }
     case PropertyKind::Text:
@@ -295,7 +300,14 @@ void PropertyDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const 
     const QString id = idOf(index);
     const auto value = valueOf(editor, id);
     takePreviewBack(editor, id);
-    if (value) m_grid.commit(id, *value);
+    commit(id, value);
+}
+
+void PropertyDelegate::commit(const QString& id, const std::optional<QVariant>& value) const {
+    if (value)
+        m_grid.commit(id, *value);
+    else
+        emit m_grid.previewWithdrawn(id);
 }
 
 /// A commit is one step from the value before any preview.
@@ -329,6 +341,7 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
         if (key == Qt::Key_Escape) {
             const QString id = idOf(m_grid.currentIndex());
             if (!editor->property(kWasVarious).toBool()) emit m_grid.previewed(id, editor->property(kBefore));
+            emit m_grid.previewWithdrawn(id);
         }
     }
     return QStyledItemDelegate::eventFilter(object, event);

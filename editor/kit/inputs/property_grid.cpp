@@ -179,7 +179,7 @@ void PropertyGrid::setFilter(const QString& text) {
 void PropertyGrid::commit(const QString& id, const QVariant& value) {
     Entry* e = entry(id);
     if (!e || e->descriptor.isReadOnly) return;
-    if (!e->isVarious && e->value == value) return;
+    if (!e->isVarious && e->value == value) return emit previewWithdrawn(id);
     e->value = value;
     e->isVarious = false;
     showValue(*e);
@@ -207,7 +207,10 @@ void PropertyGrid::editProperty(const QString& id) {
             commit(id, color);
         });
         connect(popup, &QObject::destroyed, this, [this, id, before, done] {
-            if (!*done) emit previewed(id, before);
+            if (!*done) {
+                emit previewed(id, before);
+                emit previewWithdrawn(id);
+            }
             delete done;
         });
         const QRect cell = visualItemRect(e->item);
