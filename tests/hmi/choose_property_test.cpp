@@ -9,7 +9,9 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QPointer>
+#include <QTreeWidget>
 #include <QWindow>
 
 namespace plc::hmi {
@@ -118,6 +120,36 @@ TEST(ChooseProperty, OneClickOpensTheListAndEveryChoiceIsReadable) {
         EXPECT_GE(list->view()->viewport()->width(), list->view()->fontMetrics().horizontalAdvance(list->itemText(i)))
             << list->itemText(i).toStdString();
     list->hidePopup();
+}
+
+TEST(ChooseProperty, AnExpressionIsKeptWhenTheNextRowIsClicked) {
+    Studio studio(R"({"id":"b","kind":"lamp","rect":[100,100,60,60]})");
+    studio.designer->selection().set({QStringLiteral("b")});
+    settle();
+    kit::PropertyGrid& grid = studio.designer->sheet().grid();
+    grid.setPicker([](const QString&) { return std::nullopt; }); // its button stands beside the line
+    const auto click = [&](const char* id) {
+        QTreeWidgetItem* item = grid.row(QString::fromLatin1(id));
+        grid.scrollToItem(item);
+        const QPoint cell(grid.columnViewportPosition(1) + 20, grid.visualItemRect(item).center().y());
+        QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cell);
+        settle();
+    };
+    click("value");
+    ASSERT_TRUE(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+    QTest::keyClicks(QApplication::focusWidget(), "Main.Run");
+    if (QWidget* words = QApplication::activePopupWidget()) words->hide();
+    click("visible");
+    EXPECT_EQ(studio.panel().find(QStringLiteral("b"))->text("value").toStdString(), "Main.Run");
+    auto* next = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(next) << "the clicked row is edited";
+    QTest::keyClicks(next, "TRUE");
+    if (QWidget* words = QApplication::activePopupWidget()) words->hide();
+    studio.designer->canvas().setFocus(); // as a click on the drawing does
+    settle();
+    EXPECT_EQ(studio.panel().find(QStringLiteral("b"))->text("visible").toStdString(), "TRUE");
+    EXPECT_EQ(studio.panel().find(QStringLiteral("b"))->text("value").toStdString(), "Main.Run");
+    EXPECT_EQ(grid.viewport()->findChildren<QLineEdit*>().size(), 0) << "no line stays open";
 }
 
 } // namespace

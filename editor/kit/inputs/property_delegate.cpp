@@ -23,10 +23,11 @@ namespace plc::kit {
 
 namespace {
 
-// Properties of an open editor: that it has its value, what the row had before any preview, and that it has been
-// closed.
+// Properties of an open editor: that it has its value, its row, what that had before any preview, and that it
+// has been closed.
 constexpr const char* kIsFilled = "isFilled";
 constexpr const char* kBefore = "before";
+constexpr const char* kRow = "row";
 constexpr const char* kWasVarious = "wasVarious";
 constexpr const char* kIsFinished = "isFinished";
 
@@ -56,12 +57,23 @@ public:
         layout->addWidget(line);
         layout->addWidget(m_button);
         setFocusProxy(line);
+        line->installEventFilter(this);
         setAutoFillBackground(true);
     }
     ExpressionEdit* line() const { return m_line; }
     QToolButton* button() const { return m_button; }
     /// What the button does, while the line has the keyboard.
     static QKeySequence keys() { return Qt::ALT | Qt::Key_Down; }
+
+protected:
+    /// The keyboard is the line's, but what ends the editing is that this widget loses it.
+    bool eventFilter(QObject* object, QEvent* event) override {
+        if (object == m_line && event->type() == QEvent::FocusOut) {
+            QFocusEvent left(QEvent::FocusOut, static_cast<QFocusEvent*>(event)->reason());
+            QCoreApplication::sendEvent(this, &left);
+        }
+        return QWidget::eventFilter(object, event);
+    }
 
 private:
     ExpressionEdit* m_line;
@@ -141,7 +153,7 @@ QSize PropertyDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
 
 void PropertyDelegate::finish(QWidget* editor) const {
     // Closed before the commit is announced: its receivers may give the grid other rows.
-    const QString id = idOf(m_grid.currentIndex());
+    const QString id = editor->property(kRow).toString();
     auto* self = const_cast<PropertyDelegate*>(this);
     const std::optional<QVariant> value = valueOf(editor, id);
     takePreviewBack(editor, id);
@@ -259,6 +271,7 @@ void PropertyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
     // What is previewed comes back as the value of the row; whoever is typing must not have it written over.
     if (editor->property(kIsFilled).toBool()) return;
     editor->setProperty(kIsFilled, true);
+    editor->setProperty(kRow, idOf(index));
     editor->setProperty(kBefore, value);
     editor->setProperty(kWasVarious, m_grid.isVarious(idOf(index)));
     const QSignalBlocker quiet(editor);
@@ -339,7 +352,7 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
             return true;
         }
         if (key == Qt::Key_Escape) {
-            const QString id = idOf(m_grid.currentIndex());
+            const QString id = editor->property(kRow).toString();
             if (!editor->property(kWasVarious).toBool()) emit m_grid.previewed(id, editor->property(kBefore));
             emit m_grid.previewWithdrawn(id);
         }

@@ -189,7 +189,7 @@ void PropertyGrid::commit(const QString& id, const QVariant& value) {
 void PropertyGrid::editProperty(const QString& id) {
     Entry* e = entry(id);
     if (!e || e->descriptor.isReadOnly) return;
-    setCurrentItem(e->item);
+    setCurrentItem(e->item, 1); // the cell that is edited: another row that becomes the current one ends that
     switch (e->descriptor.kind) {
     case PropertyKind::Bool:
         commit(id, !e->value.toBool());
