@@ -39,6 +39,12 @@ Panel panelNamed(DesignContext& context, const QString& name) {
     return panel ? panel->panel : Panel();
 }
 
+/// "button1.text"; of the panel itself only the property.
+QString placeOf(const Finding& finding) {
+    const bool isBoth = !finding.element.isEmpty() && !finding.property.isEmpty();
+    return finding.element + (isBoth ? QStringLiteral(".") : QString()) + finding.property;
+}
+
 /// There is a fix that needs no decision: an edit of the panel, or a key for a text.
 bool canFix(const Finding& finding) { return !finding.fix.isEmpty() || finding.kind == FindingKind::HardCodedText; }
 } // namespace
@@ -327,10 +333,9 @@ void PanelDesigner::checkNow() {
 void PanelDesigner::showFindings() {
     m_findingList->clear();
     for (const Finding& finding : m_findings) {
-        auto* item = new QTreeWidgetItem(
-            m_findingList,
-            {finding.code() + QStringLiteral("  ") + kit::messageText(finding.message),
-             finding.element + (finding.property.isEmpty() ? QString() : u'.' + finding.property), finding.language});
+        auto* item = new QTreeWidgetItem(m_findingList,
+                                         {finding.code() + QStringLiteral("  ") + kit::messageText(finding.message),
+                                          placeOf(finding), finding.language});
         item->setIcon(0, kit::icon(finding.isError ? kit::Icon::Error : kit::Icon::Warning));
         item->setData(0, Qt::UserRole, finding.element);
         item->setToolTip(0, kit::messageText(finding.why));

@@ -3,6 +3,8 @@
 
 #include "tests/support/settle.h"
 
+#include <QTreeWidget>
+
 namespace plc::hmi {
 namespace {
 
@@ -42,6 +44,19 @@ TEST(KeyedText, TextsThatWereDrawnBeforeASecondLanguageAreMovedIntoTheTable) {
     studio.designer->document().undoStack().undo();
     EXPECT_EQ(studio.panel().write(), before) << "two steps for two fixes";
     EXPECT_FALSE(studio.context->project().texts.table().contains(on.mid(1)));
+}
+
+TEST(KeyedText, TheTitleOfThePanelIsNamedWithoutAnElementAndMovedToo) {
+    Studio studio;
+    studio.designer->document().perform({}, setProperty(studio.panel(), {}, "title", "Cooling water"));
+    ASSERT_EQ(unkeyed(studio), 1u);
+    QStringList places;
+    for (const QTreeWidget* list : studio.designer->findChildren<QTreeWidget*>())
+        if (list->columnCount() == 3 && list->topLevelItemCount() == 1) places += list->topLevelItem(0)->text(1);
+    EXPECT_EQ(places, QStringList{QStringLiteral("title")});
+    studio.designer->fixAll();
+    EXPECT_EQ(unkeyed(studio), 0u);
+    EXPECT_EQ(inTable(studio, studio.panel().text("title")), "Cooling water");
 }
 
 } // namespace
