@@ -1,5 +1,6 @@
 #include "hmi/designer/panel_designer.h"
 
+#include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
@@ -10,6 +11,7 @@
 #include "hmi/designer/array_dialog.h"
 #include "hmi/designer/canvas/outline.h"
 #include "hmi/designer/canvas/palette.h"
+#include "hmi/designer/context/keyed_text.h"
 #include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
@@ -36,6 +38,15 @@ Panel panelNamed(DesignContext& context, const QString& name) {
     const NamedPanel* panel = context.project().find(name);
     return panel ? panel->panel : Panel();
 }
+
+/// "button1.text"; of the panel itself only the property.
+QString placeOf(const Finding& finding) {
+    const bool isBoth = !finding.element.isEmpty() && !finding.property.isEmpty();
+    return finding.element + (isBoth ? QStringLiteral(".") : QString()) + finding.property;
+}
+
+/// There is a fix that needs no decision: an edit of the panel, or a key for a text.
+bool canFix(const Finding& finding) { return !finding.fix.isEmpty() || finding.kind == FindingKind::HardCodedText; }
 } // namespace
 
 PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, QWidget* parent)
@@ -314,9 +325,7 @@ void PanelDesigner::checkNow() {
     m_checkTimer.stop();
     m_findings = checkPanel(m_context.checkInput(), NamedPanel{m_name, m_document.panel()});
     m_canvas->setFindings(m_findings);
-    action(QStringLiteral("fix-all"))
-        ->setEnabled(
-            std::any_of(m_findings.begin(), m_findings.end(), [](const Finding& one) { return !one.fix.isEmpty(); }));
+    action(QStringLiteral("fix-all"))->setEnabled(std::any_of(m_findings.begin(), m_findings.end(), canFix));
     showFindings();
     emit findingsChanged();
 }
@@ -324,10 +333,9 @@ void PanelDesigner::checkNow() {
 void PanelDesigner::showFindings() {
     m_findingList->clear();
     for (const Finding& finding : m_findings) {
-        auto* item = new QTreeWidgetItem(
-            m_findingList,
-            {finding.code() + QStringLiteral("  ") + kit::messageText(finding.message),
-             finding.element + (finding.property.isEmpty() ? QString() : u'.' + finding.property), finding.language});
+        auto* item = new QTreeWidgetItem(m_findingList,
+                                         {finding.code() + QStringLiteral("  ") + kit::messageText(finding.message),
+                                          placeOf(finding), finding.language});
         item->setIcon(0, kit::icon(finding.isError ? kit::Icon::Error : kit::Icon::Warning));
         item->setData(0, Qt::UserRole, finding.element);
         item->setToolTip(0, kit::messageText(finding.why));
@@ -336,16 +344,30 @@ void PanelDesigner::showFindings() {
 }
 
 void PanelDesigner::fixFinding(size_t index) {
-    if (index < m_findings.size() && !m_findings[index].fix.isEmpty())
-        m_document.perform(tr("Fix Issue"), m_findings[index].fix);
+    if (index < m_findings.size() && canFix(m_findings[index])) {
+        const Finding finding = m_findings[index];
+        kit::MacroScope macro(m_document.undoStack(), tr("Fix Issue"));
+        m_document.perform(tr("Fix Issue"), finding.fix);
+        moveToTexts({finding});
+    }
     checkNow();
 }
 
 void PanelDesigner::fixAll() {
     const QString file = QStringLiteral("hmi/%1.panel.json").arg(m_name);
-    if (const Edit edit = fixesOf(m_findings, file, m_document.panel()); !edit.isEmpty())
-        m_document.perform(tr("Fix All Issues"), edit);
+    if (std::any_of(m_findings.begin(), m_findings.end(), canFix)) {
+        const std::vector<Finding> findings = m_findings;
+        kit::MacroScope macro(m_document.undoStack(), tr("Fix All Issues"));
+        m_document.perform(tr("Fix All Issues"), fixesOf(findings, file, m_document.panel()));
+        moveToTexts(findings);
+    }
     checkNow();
+}
+
+void PanelDesigner::moveToTexts(const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) // one after the other: two may be about parts of the same property
+        m_document.perform(tr("Fix Issue"),
+                           keyedText(finding, m_document.panel(), m_name, m_context, m_document.undoStack()));
 }
 
 void PanelDesigner::showFindingMenu(QPoint at) {
@@ -353,7 +375,7 @@ void PanelDesigner::showFindingMenu(QPoint at) {
     const bool isFinding = row >= 0 && row < static_cast<int>(m_findings.size());
     QMenu menu;
     QAction* fix = menu.addAction(tr("Fix Issue"), this, [this, row] { fixFinding(static_cast<size_t>(row)); });
-    fix->setEnabled(isFinding && !m_findings[static_cast<size_t>(row)].fix.isEmpty());
+    fix->setEnabled(isFinding && canFix(m_findings[static_cast<size_t>(row)]));
     menu.addAction(action(QStringLiteral("fix-all")));
     if (isFinding && !m_findings[static_cast<size_t>(row)].why.isEmpty()) {
         const Message why = m_findings[static_cast<size_t>(row)].why;

@@ -80,6 +80,8 @@ private:
     QToolBar* makeToolBar();
     void showMenu(QPoint at);
     void showFindings();
+    /// The texts without a key among what the findings are about get one.
+    void moveToTexts(const std::vector<Finding>& findings);
     void showFindingMenu(QPoint at);
     void showInPreview();
     void updateActions();

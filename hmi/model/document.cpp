@@ -19,7 +19,11 @@ public:
         const Edit rest = arrangement(m_document.panel());
         if (!rest.isEmpty()) m_next = Edit{EditList{{m_document.apply(rest), m_next}}};
     }
-    void undo() override { m_next = m_document.apply(m_next); }
+    void undo() override {
+        m_next = m_document.apply(m_next);
+        setObsolete(m_gesture > 0 && m_gesture == m_document.m_takenBack); // the stack then drops it
+    }
+    int gesture() const { return m_gesture; }
     int id() const override { return m_gesture > 0 ? 1 : -1; }
 
     bool mergeWith(const QUndoCommand* other) override {
@@ -42,6 +46,14 @@ PanelDocument::PanelDocument(const Panel& panel, QObject* parent)
 void PanelDocument::perform(const QString& title, const Edit& edit, int gesture) {
     if (edit.isEmpty()) return;
     m_undo.push(new EditCommand(*this, title, edit, gesture));
+}
+
+void PanelDocument::takeBack(int gesture) {
+    const auto* last = dynamic_cast<const EditCommand*>(m_undo.command(m_undo.index() - 1));
+    if (gesture <= 0 || m_undo.canRedo() || !last || last->gesture() != gesture) return;
+    m_takenBack = gesture;
+    m_undo.undo();
+    m_takenBack = 0;
 }
 
 void PanelDocument::reset(const Panel& panel) {

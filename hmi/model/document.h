@@ -19,6 +19,8 @@ public:
     /// (above 0) become one.
     void perform(const QString& title, const Edit& edit, int gesture = 0);
     int newGesture() { return ++m_lastGesture; }
+    /// Undoes a gesture that is the last step, as if it had never been: the file is unchanged, nothing can be redone.
+    void takeBack(int gesture);
     /// Replaces everything, for a file that changed on disk; the undo history is dropped.
     void reset(const Panel& panel);
     bool isClean() const { return m_undo.isClean(); }
@@ -34,6 +36,7 @@ private:
     Panel m_panel;
     QUndoStack m_undo;
     int m_lastGesture = 0;
+    int m_takenBack = 0; // the gesture that is being taken back
 };
 
 } // namespace plc::hmi

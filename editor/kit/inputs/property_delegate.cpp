@@ -1,11 +1,11 @@
 #include "editor/kit/inputs/property_delegate.h"
 
+#include "editor/kit/inputs/choice_box.h"
 #include "editor/kit/inputs/property_grid.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/word_list.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -23,10 +23,13 @@ namespace plc::kit {
 
 namespace {
 
-// Properties of an open editor: that it has its value, and what the row had before any preview.
+// Properties of an open editor: that it has its value, its row, what that had before any preview, and that it
+// has been closed.
 constexpr const char* kIsFilled = "isFilled";
 constexpr const char* kBefore = "before";
+constexpr const char* kRow = "row";
 constexpr const char* kWasVarious = "wasVarious";
+constexpr const char* kIsFinished = "isFinished";
 
 QString idOf(const QModelIndex& index) {
     return index.sibling(index.row(), 0).data(PropertyDelegate::IdRole).toString();
@@ -54,12 +57,23 @@ public:
         layout->addWidget(line);
         layout->addWidget(m_button);
         setFocusProxy(line);
+        line->installEventFilter(this);
         setAutoFillBackground(true);
     }
     ExpressionEdit* line() const { return m_line; }
     QToolButton* button() const { return m_button; }
     /// What the button does, while the line has the keyboard.
     static QKeySequence keys() { return Qt::ALT | Qt::Key_Down; }
+
+protected:
+    /// The keyboard is the line's, but what ends the editing is that this widget loses it.
+    bool eventFilter(QObject* object, QEvent* event) override {
+        if (object == m_line && event->type() == QEvent::FocusOut) {
+            QFocusEvent left(QEvent::FocusOut, static_cast<QFocusEvent*>(event)->reason());
+            QCoreApplication::sendEvent(this, &left);
+        }
+        return QWidget::eventFilter(object, event);
+    }
 
 private:
     ExpressionEdit* m_line;
@@ -139,12 +153,13 @@ QSize PropertyDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
 
 void PropertyDelegate::finish(QWidget* editor) const {
     // Closed before the commit is announced: its receivers may give the grid other rows.
-    const QString id = idOf(m_grid.currentIndex());
+    const QString id = editor->property(kRow).toString();
     auto* self = const_cast<PropertyDelegate*>(this);
     const std::optional<QVariant> value = valueOf(editor, id);
     takePreviewBack(editor, id);
+    editor->setProperty(kIsFinished, true);
     emit self->closeEditor(editor);
-    if (value) m_grid.commit(id, *value);
+    commit(id, value);
 }
 
 QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) const {
@@ -225,13 +240,15 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
         return spin;
     }
     case PropertyKind::Enumeration: {
-        auto* combo = new QComboBox(parent);
-        combo->setFrame(false);
+        auto* combo = new ChoiceBox(parent);
         for (const PropertyChoice& choice : d->choices) combo->addItem(iconOf(choice), choice.label, choice.value);
         connect(combo, &QComboBox::highlighted, grid,
                 [grid, id, combo](int row) { emit grid->previewed(id, combo->itemData(row)); });
         connect(combo, &QComboBox::activated, this, [this, combo] { finish(combo); });
-        QTimer::singleShot(0, combo, [combo] { combo->showPopup(); });
+        connect(combo, &ChoiceBox::closed, this, [this, combo] {
+            if (!combo->property(kIsFinished).toBool()) finish(combo); // nothing chosen
+        });
+        QTimer::singleShot(0, combo, &ChoiceBox::open);
         return combo;
     }
     case PropertyKind::Text:
@@ -254,6 +271,7 @@ void PropertyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
     // What is previewed comes back as the value of the row; whoever is typing must not have it written over.
     if (editor->property(kIsFilled).toBool()) return;
     editor->setProperty(kIsFilled, true);
+    editor->setProperty(kRow, idOf(index));
     editor->setProperty(kBefore, value);
     editor->setProperty(kWasVarious, m_grid.isVarious(idOf(index)));
     const QSignalBlocker quiet(editor);
@@ -295,7 +313,14 @@ void PropertyDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const 
     const QString id = idOf(index);
     const auto value = valueOf(editor, id);
     takePreviewBack(editor, id);
-    if (value) m_grid.commit(id, *value);
+    commit(id, value);
+}
+
+void PropertyDelegate::commit(const QString& id, const std::optional<QVariant>& value) const {
+    if (value)
+        m_grid.commit(id, *value);
+    else
+        emit m_grid.previewWithdrawn(id);
 }
 
 /// A commit is one step from the value before any preview.
@@ -327,8 +352,9 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
             return true;
         }
         if (key == Qt::Key_Escape) {
-            const QString id = idOf(m_grid.currentIndex());
+            const QString id = editor->property(kRow).toString();
             if (!editor->property(kWasVarious).toBool()) emit m_grid.previewed(id, editor->property(kBefore));
+            emit m_grid.previewWithdrawn(id);
         }
     }
     return QStyledItemDelegate::eventFilter(object, event);

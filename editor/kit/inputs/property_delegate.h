@@ -28,6 +28,7 @@ private:
     QWidget* makeTextEditor(QWidget* parent, const QString& id) const;
     std::optional<QVariant> valueOf(QWidget* editor, const QString& id) const;
     void finish(QWidget* editor) const;
+    void commit(const QString& id, const std::optional<QVariant>& value) const;
     void takePreviewBack(const QWidget* editor, const QString& id) const;
 
     PropertyGrid& m_grid;

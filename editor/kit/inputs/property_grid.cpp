@@ -179,7 +179,7 @@ void PropertyGrid::setFilter(const QString& text) {
 void PropertyGrid::commit(const QString& id, const QVariant& value) {
     Entry* e = entry(id);
     if (!e || e->descriptor.isReadOnly) return;
-    if (!e->isVarious && e->value == value) return;
+    if (!e->isVarious && e->value == value) return emit previewWithdrawn(id);
     e->value = value;
     e->isVarious = false;
     showValue(*e);
@@ -189,7 +189,7 @@ void PropertyGrid::commit(const QString& id, const QVariant& value) {
 void PropertyGrid::editProperty(const QString& id) {
     Entry* e = entry(id);
     if (!e || e->descriptor.isReadOnly) return;
-    setCurrentItem(e->item);
+    setCurrentItem(e->item, 1); // the cell that is edited: another row that becomes the current one ends that
     switch (e->descriptor.kind) {
     case PropertyKind::Bool:
         commit(id, !e->value.toBool());
@@ -207,7 +207,10 @@ void PropertyGrid::editProperty(const QString& id) {
             commit(id, color);
         });
         connect(popup, &QObject::destroyed, this, [this, id, before, done] {
-            if (!*done) emit previewed(id, before);
+            if (!*done) {
+                emit previewed(id, before);
+                emit previewWithdrawn(id);
+            }
             delete done;
         });
         const QRect cell = visualItemRect(e->item);

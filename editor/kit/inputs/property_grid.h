@@ -84,6 +84,8 @@ public:
 
 signals:
     void previewed(const QString& id, const QVariant& value);
+    /// The row was left as it was before the previews.
+    void previewWithdrawn(const QString& id);
     void committed(const QString& id, const QVariant& value);
     void resetRequested(const QString& id);
     void actionRequested(const QString& id);

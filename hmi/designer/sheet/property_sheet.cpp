@@ -45,6 +45,12 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
         m_gestureId = id;
         apply(id, value, m_gesture);
     });
+    connect(m_grid, &kit::PropertyGrid::previewWithdrawn, this, [this](const QString& id) {
+        if (m_gestureId != id) return;
+        m_gestureId.clear();
+        m_document.takeBack(m_gesture);
+        refresh();
+    });
     connect(m_grid, &kit::PropertyGrid::committed, this, &PropertySheet::commit);
     connect(m_grid, &kit::PropertyGrid::resetRequested, this, [this](const QString& id) {
         const PropertyDescriptor* property = descriptor().property(propertyOf(id));
@@ -180,7 +186,8 @@ const Json& PropertySheet::valueOf(const ElementId& id, const PropertyDescriptor
 void PropertySheet::refresh() {
     const ElementIds ids = targets();
     if (ids.empty() || m_shape.isEmpty()) return;
-    if (shapeNow() != m_shape) return rebuild();
+    // Not for what is only previewed: other rows would close the list in which somebody is choosing.
+    if (m_gestureId.isEmpty() && shapeNow() != m_shape) return rebuild();
     for (const PropertyDescriptor* property : shared())
         for (const kit::PropertyDescriptor& row : rowsOf(*property)) {
             const QVariant first = gridValue(*property, valueOf(ids.front(), *property), row.id, m_context);
