@@ -134,6 +134,10 @@ TEST(PanelVariables, AParameterDraggedOntoAnElementBindsWhatItsTypeFits) {
     grid->scrollToItem(grid->row("value"));
     const QPoint row = grid->visualItemRect(grid->row("value")).center();
     std::unique_ptr<QMimeData> mime(f.dragged("$motor.wheel.rpm"));
+    QDragEnterEvent enter(row, Qt::CopyAction, mime.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(grid->viewport(), &enter);
+    QDragMoveEvent move(row, Qt::CopyAction, mime.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(grid->viewport(), &move);
     QDropEvent drop(QPointF(row), Qt::CopyAction, mime.get(), Qt::LeftButton, {});
     QApplication::sendEvent(grid->viewport(), &drop);
     EXPECT_EQ(f.studio.panel().find("n")->text("value"), "$motor.wheel.rpm");
@@ -184,9 +188,9 @@ TEST(PanelVariables, BindingFieldsCompleteParametersAndTheirMembers) {
     ASSERT_TRUE(line);
     QTest::keyClicks(line, QStringLiteral("$motor.whe"));
     ASSERT_TRUE(line->isCompletionShown());
-    QTest::keyClick(line, Qt::Key_Tab);
+    QTest::keyClick(line, Qt::Key_Return);
     QTest::keyClicks(line, QStringLiteral(".rp"));
-    QTest::keyClick(line, Qt::Key_Tab);
+    QTest::keyClick(line, Qt::Key_Return);
     EXPECT_EQ(line->text(), "$motor.wheel.rpm");
     line->setText(QStringLiteral("$motor.run"));
     EXPECT_TRUE(line->complaint().isEmpty());
