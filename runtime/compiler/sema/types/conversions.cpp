@@ -205,6 +205,12 @@ size_t lengthAs(types::StringCode code, const std::u16string& wide, bool asWide)
     return asWide ? wide.size() : types::stringOfWide(code, wide, ignored).size();
 }
 
+/// In one byte a character both are the same.
+messages::Phrase lengthOfText(types::StringCode code, size_t length, bool isWide) {
+    const auto count = static_cast<int64_t>(length);
+    return code == types::StringCode::Utf8 && !isWide ? phrases::BytesInUtf8(count) : phrases::CharactersOfText(count);
+}
+
 ///   ok:    s := 'abcd';  with STRING(4)      advice: with STRING(3) (P2028)      wrong: s := 'Ω';  (P2027)
 Operand convertedText(Context& context, Operand operand, TypeId to) {
     const TypeId from = operand.type();
@@ -230,7 +236,9 @@ Operand convertedText(Context& context, Operand operand, TypeId to) {
                                   : wide ? lengthAs(context.types.strings, *wide, toWide)
                                          : 0;
             // Too long is only advised: the assignment cuts at the capacity.
-            if (length > target.capacity) context.emit(range, findings::StringTooLong(length, target.capacity));
+            if (length > target.capacity)
+                context.emit(range, findings::StringTooLong(lengthOfText(context.types.strings, length, toWide),
+                                                            target.capacity));
             if (context.types.kind(from) == context.types.kind(to)) return operand;
             return convertNode(context, operand, textType(context, length, toWide));
         }
