@@ -914,8 +914,8 @@
         <translation>Der er ingen global variabel {0} af typen {1}; erklær den i VAR_GLOBAL</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
-        <translation>Teksten har {0} tegn og afkortes til {1}; erklær en længere streng</translation>
+        <source>The text has {0} and will be truncated to {1}; declare a longer string</source>
+        <translation>Teksten har {0} og afkortes til {1}; erklær en længere streng</translation>
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
@@ -6063,6 +6063,14 @@
     <message>
         <source>here</source>
         <translation>her</translation>
+    </message>
+    <message>
+        <source>{0} {0:character|characters}</source>
+        <translation>{0} tegn</translation>
+    </message>
+    <message>
+        <source>{0} {0:byte|bytes} in UTF-8</source>
+        <translation>{0} byte i UTF-8</translation>
     </message>
     <message>
         <source>in {0}</source>

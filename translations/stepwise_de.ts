@@ -914,8 +914,8 @@
         <translation>Es gibt keine globale Variable {0} vom Typ {1}; in VAR_GLOBAL deklarieren</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
-        <translation>Der Text hat {0} Zeichen und wird auf {1} gekürzt; eine längere Zeichenkette deklarieren</translation>
+        <source>The text has {0} and will be truncated to {1}; declare a longer string</source>
+        <translation>Der Text hat {0} und wird auf {1} gekürzt; eine längere Zeichenkette deklarieren</translation>
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
@@ -6063,6 +6063,14 @@
     <message>
         <source>here</source>
         <translation>hier</translation>
+    </message>
+    <message>
+        <source>{0} {0:character|characters}</source>
+        <translation>{0} Zeichen</translation>
+    </message>
+    <message>
+        <source>{0} {0:byte|bytes} in UTF-8</source>
+        <translation>{0} {0:Byte|Bytes} in UTF-8</translation>
     </message>
     <message>
         <source>in {0}</source>

@@ -914,8 +914,8 @@
         <translation>No existe la variable global {0} de tipo {1}; declárela en VAR_GLOBAL</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
-        <translation>El texto tiene {0} caracteres y se truncará a {1}; declare una cadena más larga</translation>
+        <source>The text has {0} and will be truncated to {1}; declare a longer string</source>
+        <translation>El texto tiene {0} y se truncará a {1}; declare una cadena más larga</translation>
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
@@ -6063,6 +6063,14 @@
     <message>
         <source>here</source>
         <translation>aquí</translation>
+    </message>
+    <message>
+        <source>{0} {0:character|characters}</source>
+        <translation>{0} {0:carácter|caracteres}</translation>
+    </message>
+    <message>
+        <source>{0} {0:byte|bytes} in UTF-8</source>
+        <translation>{0} {0:byte|bytes} en UTF-8</translation>
     </message>
     <message>
         <source>in {0}</source>

@@ -914,8 +914,8 @@
         <translation>La variable globale {0} de type {1} n’existe pas&#x202f;; la déclarer dans VAR_GLOBAL</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
-        <translation>Le texte a {0} caractères et sera tronqué à {1}&#x202f;; déclarer une chaîne plus longue</translation>
+        <source>The text has {0} and will be truncated to {1}; declare a longer string</source>
+        <translation>Le texte a {0} et sera tronqué à {1}&#x202f;; déclarer une chaîne plus longue</translation>
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
@@ -6063,6 +6063,14 @@
     <message>
         <source>here</source>
         <translation>ici</translation>
+    </message>
+    <message>
+        <source>{0} {0:character|characters}</source>
+        <translation>{0} {0:caractère|caractères}</translation>
+    </message>
+    <message>
+        <source>{0} {0:byte|bytes} in UTF-8</source>
+        <translation>{0} {0:octet|octets} en UTF-8</translation>
     </message>
     <message>
         <source>in {0}</source>

@@ -914,8 +914,8 @@
         <translation>没有类型为 {1} 的全局变量 {0}；请在 VAR_GLOBAL 中声明</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
-        <translation>文本有 {0} 个字符，将被截断为 {1} 个；请声明更长的字符串</translation>
+        <source>The text has {0} and will be truncated to {1}; declare a longer string</source>
+        <translation>文本有 {0}，将被截断为 {1} 个；请声明更长的字符串</translation>
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
@@ -6061,6 +6061,14 @@
     <message>
         <source>here</source>
         <translation>此处</translation>
+    </message>
+    <message>
+        <source>{0} {0:character|characters}</source>
+        <translation>{0} 个字符</translation>
+    </message>
+    <message>
+        <source>{0} {0:byte|bytes} in UTF-8</source>
+        <translation>{0} 个字节（UTF-8）</translation>
     </message>
     <message>
         <source>in {0}</source>

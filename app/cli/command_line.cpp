@@ -14,6 +14,7 @@
 #include "stepwise_version.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 namespace plc::cli {
@@ -31,6 +32,20 @@ std::string overview() {
     }
     return out + "\n`stepwise COMMAND --help` shows the options and an example.\n";
 }
+
+/// The first word is neither a command nor what the studio opens: it may be meant as the one or as the other.
+Message notACommand(const std::string& word, const std::vector<std::string>& commandNames) {
+    const std::filesystem::path path(std::u8string(word.begin(), word.end()));
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored))
+        return equalsIgnoringCase(path.extension().string(), ".st") ? errors::SourceNotAProject(word)
+                                                                    : errors::NotAProjectFile(word);
+    if (word.starts_with('-')) return errors::OptionWithoutCommand(word);
+    if (word.find_first_of("/\\.") != std::string::npos) return errors::NoFileOrFolder(word);
+    const auto near = nearestName(word, commandNames);
+    return near ? errors::NoCommandSuggest(word, *near) : errors::NoCommandNorFolder(word);
+}
+
 } // namespace
 
 const std::vector<Command>& commands() {
@@ -58,8 +73,7 @@ int runCommandLine(const std::vector<std::string>& words) {
     if (it == all.end()) {
         std::vector<std::string> names;
         for (const Command& command : all) names.emplace_back(command.spec.name);
-        const auto near = nearestName(words[0], names);
-        return wrongUse({near ? errors::NoCommandSuggest(words[0], *near) : errors::NoCommand(words[0]), ""});
+        return wrongUse({notACommand(words[0], names), ""});
     }
     const auto arguments = Arguments::parse(it->spec, {words.begin() + 1, words.end()});
     if (!arguments) return wrongUse(arguments.error());

@@ -1,14 +1,16 @@
 #include "app/pages/online_marks.h"
 
 #include "app/pages/editor_tabs.h"
+#include "app/pages/fault_cause.h"
 #include "app/pages/instance_bar.h"
-#include "app/pages/zero_divisor.h"
 #include "editor/kit/message_text.h"
 #include "runtime/compiler/driver/driver.h"
 
 #include <QApplication>
 #include <QInputDialog>
 #include <QPointer>
+
+#include <algorithm>
 
 namespace plc::app {
 
@@ -123,11 +125,30 @@ void OnlineMarks::showWalk(std::optional<editor::RunControl::TextPlace> place) {
 /// What a question about the fault is about, so that Why? asks just that.
 void OnlineMarks::selectCause(uint32_t statement, uint32_t length) {
     StEditor* editor = m_tabs.currentEditor();
-    if (!editor || m_control.status().fault->code != image::FaultCode::DivisionByZero) return;
+    if (!editor) return;
     const std::string text = editor->utf8();
     if (statement + length > text.size()) return;
-    if (const auto divisor = zeroDivisor(std::string_view(text).substr(statement, length)))
-        editor->goTo(statement + divisor->first, divisor->second);
+    const IsFollowed isFollowed = [&](uint32_t begin, uint32_t end) {
+        return isFollowedAt(editor->file(), statement + begin, statement + end);
+    };
+    const auto cause =
+        causeOfFault(m_control.status().fault->code, std::string_view(text).substr(statement, length), isFollowed);
+    if (cause) editor->goTo(statement + cause->first, cause->second);
+}
+
+/// The name at that place is of a REFERENCE or interface, which leads elsewhere without a `^`.
+bool OnlineMarks::isFollowedAt(const QString& file, uint32_t begin, uint32_t end) const {
+    const auto model = m_workspace.model();
+    const std::optional<FileId> id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id || !model->checked().analysis->program) return false;
+    const sema::Analysis& analysis = *model->checked().analysis;
+    const types::TypeTable& types = *analysis.program->layout.types;
+    return std::any_of(analysis.references.begin(), analysis.references.end(), [&](const sema::Reference& each) {
+        if (each.range.file != *id || each.range.begin != begin || each.range.end != end || !each.symbol.isValid())
+            return false;
+        const types::TypeKind kind = types.kind(analysis.symbols[each.symbol.index()].type);
+        return kind == types::TypeKind::Reference || kind == types::TypeKind::Interface;
+    });
 }
 
 /// Where the controller stands: at a breakpoint, after a step, or where a fault has stopped it.

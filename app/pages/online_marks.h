@@ -28,6 +28,7 @@ private:
     void refreshValues();
     void showInstance(StPage& page); // whose values its text shows
     void selectCause(uint32_t statement, uint32_t length);
+    [[nodiscard]] bool isFollowedAt(const QString& file, uint32_t begin, uint32_t end) const;
 
     EditorTabs& m_tabs;
     editor::Workspace& m_workspace;

@@ -12,6 +12,7 @@
 #include "hmi/designer/canvas/outline.h"
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/context/keyed_text.h"
+#include "hmi/designer/context/panel_variables.h"
 #include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
@@ -174,7 +175,9 @@ QWidget* PanelDesigner::makeSources() {
     tabs->setDocumentMode(true);
     tabs->setAccessibleName(tr("Elements"));
     tabs->addTab(m_palette, tr("Elements"));
-    m_variables = new kit::VariablePicker(m_context.variables()());
+    m_bindable = std::make_unique<PanelVariables>(m_context, m_document);
+    m_variables = new kit::VariablePicker(*m_bindable);
+    m_parametersListed = m_document.panel().at("parameters"_field);
     m_variables->layout()->setContentsMargins(4, 4, 4, 4);
     tabs->addTab(m_variables, tr("Variables"));
     connect(m_variables, &kit::VariablePicker::picked, this, [this](const QString& path) {
@@ -183,11 +186,14 @@ QWidget* PanelDesigner::makeSources() {
     });
     const auto reload = [this] {
         if (!m_variables->isVisible()) return;
-        (void)m_context.variables()();
+        m_parametersListed = m_document.panel().at("parameters"_field);
         m_variables->reload();
     };
     connect(tabs, &QTabWidget::currentChanged, this, reload);
     connect(&m_context, &DesignContext::programChanged, this, reload);
+    connect(&m_document, &PanelDocument::changed, this, [this, reload] {
+        if (m_document.panel().at("parameters"_field) != m_parametersListed) reload();
+    });
     return tabs;
 }
 

@@ -20,6 +20,7 @@ namespace plc::hmi {
 class Outline;
 class Palette;
 class PanelPlayer;
+class PanelVariables;
 
 class PanelDesigner final : public QWidget {
     Q_OBJECT
@@ -95,7 +96,9 @@ private:
     Selection m_selection;
     QMap<QString, QAction*> m_actions;
     Palette* m_palette;
+    std::unique_ptr<PanelVariables> m_bindable; // what the picker lists
     kit::VariablePicker* m_variables = nullptr;
+    Json m_parametersListed; // by it
     DesignCanvas* m_canvas;
     PropertySheet* m_sheet;
     Outline* m_outline;

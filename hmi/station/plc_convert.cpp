@@ -28,7 +28,7 @@ Value toPanel(const types::TypeTable& types, const types::Value& value) {
     if (const auto* text = std::get_if<std::string>(&value.data))
         return Value::ofText(QString::fromStdString(types::utf8OfString(types.strings, *text)));
     if (const auto* wide = std::get_if<std::u16string>(&value.data))
-        return Value::ofText(QString::fromStdU16String(*wide));
+        return Value::ofText(QString::fromStdString(utf16ToUtf8(*wide))); // whole characters only
     if (const auto* real = std::get_if<double>(&value.data)) return Value::ofReal(*real);
     const int64_t number = value.integer();
     switch (types.family(value.type)) {

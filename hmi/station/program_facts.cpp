@@ -26,7 +26,53 @@ QString nearMatch(const driver::Checked& checked, const QString& expression) {
     return {};
 }
 
+/// The types of an expression, which live as long as it does.
+std::shared_ptr<const types::TypeTable> tableOf(const expression::Expression& expression) {
+    const auto kept = std::make_shared<const expression::Expression>(expression);
+    return {kept, &kept->types()};
+}
+
 } // namespace
+
+std::optional<TypedExpression> typedExpression(const driver::Checked& checked, const QString& expression) {
+    if (!checked.analysis) return {};
+    const auto compiled = driver::compileExpression(checked, expression.toStdString());
+    if (!compiled) return {};
+    return TypedExpression{tableOf(*compiled), compiled->type(), compiled->place().has_value()};
+}
+
+std::optional<TypedExpression> typedVariable(const driver::Checked& checked, const QString& type) {
+    if (!checked.analysis || !checked.analysis->program || type.isEmpty()) return {};
+    const std::shared_ptr<const types::TypeTable> types = checked.analysis->program->layout.types;
+    const std::string name = toUtf8(type);
+    for (uint32_t i = 0; types && i < types->count(); ++i)
+        if (equalsIgnoringCase((*types)[types::TypeId(i)].name, name))
+            return TypedExpression{types, types::TypeId(i), true};
+    // Texts of other lengths than the program's own.
+    const QString word = type.section(u'(', 0, 0).section(u'[', 0, 0).trimmed().toUpper();
+    if (word != QLatin1String("STRING") && word != QLatin1String("WSTRING")) return {};
+    const auto own = std::make_shared<types::TypeTable>();
+    const types::TypeId text = word == QLatin1String("STRING") ? own->string(80) : own->wstring(80);
+    return TypedExpression{own, text, true};
+}
+
+Message complaintOn(const TypedExpression& given, const QString& expression, std::string_view wanted, bool isTarget) {
+    const types::TypeTable& types = *given.types;
+    const types::TypeId type = given.type;
+    const std::string& name = types[type].name;
+    const std::string text = toUtf8(expression);
+    if (isTarget && !given.isPlace) return errors::TargetNotVariable(text);
+    const types::Family family = types.family(type);
+    const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
+    const bool isNumber = types::isInteger(family) || family == types::Family::Real ||
+                          family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
+    if (wanted == "bool" && !isBool) return errors::BoolNeeded(text, name);
+    if (wanted == "number" && !isNumber && !isBool) return errors::NumberNeeded(text, name);
+    if (wanted == "text" && !types.isText(type)) return errors::StringNeeded(text, name);
+    if (wanted == "array" && !isArray) return errors::ArrayNeeded(text, name);
+    if (wanted == "any" && isArray) return errors::SingleValueNeeded(text, name);
+    return {};
+}
 
 Message checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted,
                      bool isTarget) {
@@ -38,21 +84,8 @@ Message checkBinding(const driver::Checked& checked, const QString& expression, 
                    ? message
                    : errors::BindingDidYouMean(message, toUtf8(near));
     }
-    const types::TypeTable& types = compiled->types();
-    const types::TypeId type = compiled->type();
-    const std::string& name = types[type].name;
-    const std::string text = toUtf8(expression);
-    if (isTarget && !compiled->place()) return errors::TargetNotVariable(text);
-    const types::Family family = types.family(type);
-    const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
-    const bool isNumber = types::isInteger(family) || family == types::Family::Real ||
-                          family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
-    if (wanted == "bool" && !isBool) return errors::BoolNeeded(text, name);
-    if (wanted == "number" && !isNumber && !isBool) return errors::NumberNeeded(text, name);
-    if (wanted == "text" && !types.isText(type)) return errors::StringNeeded(text, name);
-    if (wanted == "array" && !isArray) return errors::ArrayNeeded(text, name);
-    if (wanted == "any" && isArray) return errors::SingleValueNeeded(text, name);
-    return {};
+    return complaintOn({tableOf(*compiled), compiled->type(), compiled->place().has_value()}, expression, wanted,
+                       isTarget);
 }
 
 namespace {
@@ -104,6 +137,12 @@ QStringList typeNamesOf(const driver::Checked& checked, const QString& expressio
     const auto compiled = driver::compileExpression(checked, expression.toStdString());
     QStringList out;
     if (compiled) addTypeNames(compiled->types(), compiled->type(), out);
+    return out;
+}
+
+QStringList typeNamesOf(const TypedExpression& given) {
+    QStringList out;
+    addTypeNames(*given.types, given.type, out);
     return out;
 }
 

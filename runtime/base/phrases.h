@@ -3,7 +3,7 @@
 #include "runtime/base/message.h"
 
 namespace plc::phrases {
-using messages::Name, messages::Names;
+using messages::Integer, messages::Name, messages::Names;
 #define PLC_MESSAGE(Row, Text, ...) inline constexpr messages::PhraseForm<__VA_ARGS__> Row{"Phrases", #Row, Text};
 #include "runtime/base/phrases.def"
 } // namespace plc::phrases

@@ -156,6 +156,7 @@ CharacterBytes bytesOfCharacter(StringCode code, char32_t c) {
     if (c < 0x80 || (code == StringCode::Latin1 && c <= 0xFF)) return single(c);
     if (code == StringCode::Latin1) return {};
     if (code == StringCode::Utf8) {
+        if (c >= 0xD800 && c < 0xE000) return {}; // half of a pair is no character
         if (c < 0x800) return {{static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3F))}, 2};
         if (c < 0x10000)
             return {{static_cast<char>(0xE0 | (c >> 12)), static_cast<char>(0x80 | ((c >> 6) & 0x3F)),

@@ -2,6 +2,7 @@
 #include "runtime/types/conversion.h"
 #include "runtime/types/scalar_text.h"
 #include "runtime/types/value.h"
+#include "runtime/types/wide_text.h"
 
 #include <charconv>
 #include <cmath>
@@ -153,9 +154,7 @@ private:
         if (!text) return std::nullopt;
         const Type& t = m_types[type];
         if (t.kind == TypeKind::Wstring || t.kind == TypeKind::Wchar) {
-            std::string utf8;
-            for (const char32_t c : *text) appendUtf8(utf8, c >= kRawByte ? c - kRawByte : c);
-            std::u16string wide = utf8ToUtf16(utf8);
+            std::u16string wide = wideOfCharacters(*text);
             if (t.kind == TypeKind::Wchar)
                 return wide.size() == 1 ? std::optional(Value{type, static_cast<int64_t>(wide[0])}) : std::nullopt;
             if (wide.size() > t.capacity) return std::nullopt;

@@ -1,5 +1,6 @@
 #include "runtime/base/text.h"
 #include "runtime/types/value.h"
+#include "runtime/types/wide_text.h"
 
 #include <cmath>
 #include <cstdio>
@@ -69,12 +70,6 @@ std::string quoted(const std::u32string& text, char quote) {
     return out + quote;
 }
 
-std::u32string decoded(std::string_view utf8) {
-    std::u32string out;
-    for (size_t at = 0; at < utf8.size();) out += decodeUtf8(utf8, at);
-    return out;
-}
-
 std::string jsonString(std::string_view utf8) {
     std::string out = "\"";
     for (const char c : utf8) {
@@ -96,13 +91,16 @@ std::string jsonString(std::string_view utf8) {
 std::u32string characterText(const TypeTable& types, TypeKind kind, int64_t code) {
     if (code == 0) return {};
     const auto unit = static_cast<char16_t>(code);
-    if (kind == TypeKind::Wchar) return decoded(utf16ToUtf8({&unit, 1}));
+    if (kind == TypeKind::Wchar) return charactersOfWide({&unit, 1});
     const auto byte = static_cast<char>(code);
     return charactersOf(types.strings, {&byte, 1});
 }
 std::string utf8Of(const std::u32string& text) {
     std::string out;
-    for (const char32_t c : text) appendUtf8(out, c >= kRawByte ? c - kRawByte : c);
+    for (const char32_t c : text) {
+        const char32_t shown = c >= kRawByte ? c - kRawByte : c;
+        appendUtf8(out, isHalfOfPair(shown) ? 0xFFFD : shown);
+    }
     return out;
 }
 
@@ -186,7 +184,7 @@ std::string toText(const TypeTable& types, const Value& value, NumberFormat form
     if (const auto* real = std::get_if<double>(&value.data)) return realLiteral(types.storageKind(value.type), *real);
     if (const auto* text = std::get_if<std::string>(&value.data))
         return quoted(charactersOf(types.strings, *text), '\'');
-    if (const auto* wide = std::get_if<std::u16string>(&value.data)) return quoted(decoded(utf16ToUtf8(*wide)), '"');
+    if (const auto* wide = std::get_if<std::u16string>(&value.data)) return quoted(charactersOfWide(*wide), '"');
     const auto* parts = std::get_if<std::vector<Value>>(&value.data);
     if (!parts) return "(no value)";
     const Type& type = types[value.type];

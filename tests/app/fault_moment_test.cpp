@@ -1,7 +1,6 @@
 // After a fault the window shows the scan in which it happened, also where a plant goes on: line, call stack, watch and
 // text are of one moment, until one goes back to the present.
 #include "app/online/inside_views.h"
-#include "app/pages/zero_divisor.h"
 #include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/fault_scan.h"
@@ -116,20 +115,6 @@ TEST_F(FaultMomentTest, TheDivisorIsSelectedSoThatWhyAsksAboutIt) {
     const auto asked = editor().askedAbout();
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked->name, "parts");
-}
-
-TEST(ZeroDivisor, IsTheOnlyOperandThatMayBeMeant) {
-    struct Row {
-        const char *statement, *divisor;
-    };
-    for (const Row& row : {Row{"a := 10 / b;", "b"}, Row{"a := b MOD c.d[i + 1].e + 2;", "c.d[i + 1].e"},
-                           Row{"a := 1 / (b - c);", "(b - c)"}, Row{"a := 1 / F(b) / 2;", "F(b)"},
-                           Row{"a := b / c / d;", ""}, Row{"a := b / 2;", ""}, Row{"a := b;", ""}, Row{"a := b /", ""},
-                           Row{"a := b / (c", "(c"}, Row{"// x / y\na := b / c;", "c"}}) {
-        const std::string_view text = row.statement;
-        const auto found = zeroDivisor(text);
-        EXPECT_EQ(found ? text.substr(found->first, found->second) : "", row.divisor) << text;
-    }
 }
 
 TEST_F(FaultMomentTest, BackToLiveShowsThePlantThatGoesOnAndNobodyIsTakenBackAgain) {

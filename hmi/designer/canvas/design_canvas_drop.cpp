@@ -7,7 +7,7 @@
 #include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/context/applicable.h"
 #include "hmi/designer/context/arrange.h"
-#include "hmi/designer/context/dropped_structure.h"
+#include "hmi/designer/context/dropped_variable.h"
 #include "hmi/model/errors.h"
 #include "hmi/model/faceplate.h"
 #include "hmi/model/property_literals.h"
@@ -68,8 +68,8 @@ std::pair<ElementId, std::string> DesignCanvas::bindingUnder(QPointF at, const Q
         Found place;
         place.property = property->key;
         place.hint = property->hint;
-        if (m_context
-                .checkBinding(variables.front(), wantedType(*element, place), property->type == PropertyType::Target)
+        if (PanelVariables(m_context, m_document)
+                .complaint(variables.front(), wantedType(*element, place), property->type == PropertyType::Target)
                 .isEmpty())
             return {id, std::string(property->key)};
     }
@@ -154,14 +154,15 @@ void DesignCanvas::insertElements(const Json& elements, QPointF at) {
 }
 
 void DesignCanvas::insertVariables(const QStringList& paths, QPointF at, bool operates) {
+    const PanelVariables variables(m_context, m_document);
     Json list = Json::array();
     double y = 0;
     int number = 0;
     for (const QString& path : paths) {
         std::vector<Element> made;
-        if (const QString type = structureType(path, m_context); type.isEmpty())
-            made = elementsForVariable(path, m_context, operates);
-        else if (auto faceplate = faceplateFor(path, m_context))
+        if (const QString type = structureType(path, variables); type.isEmpty())
+            made = elementsForVariable(path, variables, operates);
+        else if (auto faceplate = faceplateFor(path, variables, m_panelName))
             made.push_back(std::move(*faceplate));
         else
             emit refused(tr("%1 has no single value: drop one of its members, or first draw a panel with a parameter "

@@ -307,10 +307,9 @@ std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QStr
 }
 
 std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {
-    if (!m_checked.analysis) return {};
-    const auto compiled = driver::compileExpression(m_checked, path.toStdString());
-    if (!compiled) return {};
-    return hmi::factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
+    const std::optional<TypedExpression> known = typedExpression(m_checked, path);
+    if (!known) return {};
+    return hmi::factsOf(*known->types, known->type, known->isPlace);
 }
 
 std::optional<QString> DesignContext::variableNamed(const QString& words) const {
@@ -365,111 +364,6 @@ QStringList DesignContext::usersOf(const QString& key) const {
     for (const Properties& alarm : m_project.alarms.rows()) look(tr("Alarms"), alarm, alarm.text("id"_text));
     for (const Properties& one : m_project.alarms.classRows()) look(tr("Alarms"), one, one.text("name"_text));
     return out;
-}
-
-namespace {
-
-Element madeFor(ElementKind kind, const char* property, const QString& path) {
-    Element element = Element::make(kind, QString(), QRectF(QPointF(), descriptorOf(kind).size));
-    element.set(property, toUtf8(path));
-    return element;
-}
-
-/// A table of an array of structures: a column per member that is a single value.
-Element tableFor(const QString& path, const expression::Expression& compiled, const types::Type& array) {
-    Element table = Element::make(ElementKind::ArrayTable, QString(),
-                                  QRectF(QPointF(), descriptorOf(ElementKind::ArrayTable).size));
-    Json columns = Json::array();
-    const types::TypeTable& types = compiled.types();
-    for (const types::Field& field : types[array.element].fields) {
-        if (types.isAggregate(field.type) || field.isPrivate || columns.size() >= 8) continue;
-        Json column = Json::object();
-        column["title"] = field.name;
-        column["value"] = toUtf8(path) + "[#]." + field.name;
-        if (types.family(field.type) == types::Family::Real) column["format"] = "%.2f";
-        columns.push_back(std::move(column));
-    }
-    table.set("columns"_field, columns);
-    return table;
-}
-
-std::optional<Element> arrayElementFor(const QString& path, const DesignContext& context, const ValueFacts& facts) {
-    const auto compiled = driver::compileExpression(context.checked(), path.toStdString());
-    if (!compiled || facts.arrayBounds.empty()) return {};
-    const types::TypeTable& types = compiled->types();
-    const types::Type& array = types[compiled->type()];
-    const auto [first, last] = facts.arrayBounds.front();
-    if (types.kind(array.element) == types::TypeKind::Struct || types.kind(array.element) == types::TypeKind::Block) {
-        Element table = tableFor(path, *compiled, array);
-        table.set("first"_field, first);
-        table.set("count"_field, last - first + 1);
-        return table;
-    }
-    if (types.family(array.element) == types::Family::Bool || facts.arrayBounds.size() > 1) {
-        Element grid = madeFor(ElementKind::CellGrid, "value", path);
-        const int count = last - first + 1;
-        const bool isTable = facts.arrayBounds.size() > 1;
-        const int columns = isTable ? facts.arrayBounds[1].second - facts.arrayBounds[1].first + 1
-                                    : std::min(count, count <= 10 ? count : 10);
-        grid.set("columns"_field, columns);
-        grid.set("rows"_field, isTable ? count : (count + columns - 1) / columns);
-        grid.set("first"_field, first);
-        return grid;
-    }
-    Element chart = madeFor(ElementKind::BarChart, "value", path);
-    chart.set("first"_field, first);
-    return chart;
-}
-
-} // namespace
-
-std::vector<Element> elementsForVariable(const QString& path, const DesignContext& context, bool operates) {
-    const std::optional<ValueFacts> known = context.factsOf(path);
-    const ValueFacts facts = known.value_or(ValueFacts());
-    const QString name = path.section(u'.', -1);
-    Element element = madeFor(ElementKind::NumericDisplay, "value", path);
-    switch (facts.kind) {
-    case ValueKind::Bool:
-        element = operates ? madeFor(ElementKind::Switch, "target", path) : madeFor(ElementKind::Lamp, "value", path);
-        break;
-    case ValueKind::Integer:
-    case ValueKind::Unsigned:
-        if (!facts.enumValues.empty()) {
-            element = operates ? madeFor(ElementKind::ComboBox, "target", path)
-                               : madeFor(ElementKind::MultiState, "value", path);
-            break;
-        }
-        element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
-        element.set("format"_field, "%d");
-        break;
-    case ValueKind::Real:
-        element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
-        break;
-    case ValueKind::Text:
-        element = operates ? madeFor(ElementKind::TextEntry, "target", path) : element;
-        if (!operates) element.set("rect"_field, rectToJson(QRectF(0, 0, 200, 40)));
-        break;
-    case ValueKind::Time:
-        if (operates) {
-            element = madeFor(ElementKind::NumericEntry, "target", path);
-            element.set("unit"_field, "s");
-        } else {
-            element.set("format"_field, "");
-        }
-        break;
-    case ValueKind::Date:
-    case ValueKind::DateTime:
-    case ValueKind::TimeOfDay:
-        element = madeFor(ElementKind::DateTime, "value", path);
-        break;
-    case ValueKind::Array:
-        if (auto array = arrayElementFor(path, context, facts)) element = std::move(*array);
-        break;
-    case ValueKind::None:
-        break;
-    }
-    element.set("name"_field, toUtf8(name));
-    return {element};
 }
 
 } // namespace plc::hmi

@@ -144,8 +144,4 @@ private:
     QStringList m_changedPanels;               // closed panels that a rename has touched
 };
 
-/// The element that fits a variable; `operates`: one that writes it, else one that shows it. The rectangle begins at
-/// (0, 0).
-std::vector<Element> elementsForVariable(const QString& path, const DesignContext& context, bool operates);
-
 } // namespace plc::hmi

@@ -15,8 +15,8 @@
 namespace plc::hmi {
 
 PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, DesignContext& context, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_context(context), m_title(new QLabel),
-      m_filter(new QLineEdit), m_grid(new kit::PropertyGrid) {
+    : QWidget(parent), m_document(document), m_selection(selection), m_context(context), m_variables(context, document),
+      m_title(new QLabel), m_filter(new QLineEdit), m_grid(new kit::PropertyGrid) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
@@ -30,13 +30,10 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
     layout->addWidget(m_filter);
     layout->addWidget(m_grid, 1);
     m_grid->setBaseFolder(context.project().folder);
-    m_grid->setPicker(context.picker());
-    m_grid->setCompletionSource([this](const QString& text, int cursor) {
-        return m_context.completions() ? m_context.completions()(text, cursor) : std::vector<kit::Completion>();
-    });
+    offerVariables(*m_grid);
     m_grid->setCheck([this](const QString& id, const QString& text) {
         const PropertyDescriptor* property = descriptor().property(propertyOf(id));
-        return property ? m_context.checkBinding(text, property->hint, property->type == PropertyType::Target)
+        return property ? m_variables.complaint(text, property->hint, property->type == PropertyType::Target)
                         : QString();
     });
     connect(m_filter, &QLineEdit::textChanged, m_grid, &kit::PropertyGrid::setFilter);
@@ -71,6 +68,12 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
     connect(&m_context, &DesignContext::peopleChanged, this, &PropertySheet::refresh);
     connect(&m_context, &DesignContext::recipesChanged, this, &PropertySheet::refresh);
     rebuild();
+}
+
+void PropertySheet::offerVariables(kit::PropertyGrid& grid) const {
+    if (m_context.picker() || m_context.variables())
+        grid.setPicker([this, &grid](const QString& present) { return m_variables.pick(present, grid.window()); });
+    grid.setCompletionSource([this](const QString& text, int cursor) { return m_variables.complete(text, cursor); });
 }
 
 ElementIds PropertySheet::targets() const {
@@ -265,6 +268,7 @@ void PropertySheet::editRecords(const QString& id) {
     // Texts typed in the dialog get their keys only when it is accepted.
     std::vector<std::pair<QString, QString>> typed;
     RecordsDialog dialog(*property, valueOf(ids.front(), *property), m_context, {}, this);
+    offerVariables(dialog.grid());
     if (dialog.exec() != QDialog::Accepted) return;
     Json value = dialog.value();
     kit::MacroScope macro(m_document.undoStack(), QCoreApplication::translate("Hmi", property->title));

@@ -1,6 +1,7 @@
 // The properties of what is selected (or of the panel), made from the descriptors: one undo step per change, several
 // elements at once, texts with their keys. Owned by its Qt parent; main thread.
 #pragma once
+#include "hmi/designer/context/panel_variables.h"
 #include "hmi/designer/context/selection.h"
 #include "hmi/designer/sheet/property_mapping.h"
 
@@ -33,9 +34,12 @@ private:
     std::vector<kit::PropertyDescriptor> rowsOf(const PropertyDescriptor& property) const;
     void storeTexts(const PropertyDescriptor& property, const QString& id, const QString& typed);
     void apply(const QString& id, const QVariant& value, int gesture);
+    /// Completion and choice of the variables that a binding in this panel can name.
+    void offerVariables(kit::PropertyGrid& grid) const;
     PanelDocument& m_document;
     Selection& m_selection;
     DesignContext& m_context;
+    const PanelVariables m_variables;
     QString m_panelName;
     QLabel* m_title;
     QLineEdit* m_filter;

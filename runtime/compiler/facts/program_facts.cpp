@@ -102,6 +102,8 @@ private:
             return;
         }
         m_out.canFault = true;
+        // Charged by itself, also where no block implements the interface.
+        if (m_program.functions[callee].mayRecurse) m_out.charges = true;
         noteParameters(callee);
         for (const Target& target : m_facts.targetsOf(callee))
             if (target.function != 0) addCallee(target.function, call);

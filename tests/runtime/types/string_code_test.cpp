@@ -88,6 +88,44 @@ TEST(StringCode, NoCharacterIsCutInHalf) {
     EXPECT_EQ(utf8OfString(StringCode::Utf8, "\xD0"), "\u00D0"); // half of one is shown as its number
 }
 
+TEST(StringCode, HalfAPairIsNoCharacter) {
+    bool isWhole = true;
+    const std::u16string cut{u'a', char16_t(0xD83D)};
+    EXPECT_EQ(stringOfWide(StringCode::Utf8, cut, isWhole), "a?");
+    EXPECT_FALSE(isWhole);
+    EXPECT_EQ(bytesOfCharacter(StringCode::Utf8, 0xDE00).size, 0);
+    EXPECT_EQ(bytesOfCharacter(StringCode::Utf8, 0xE000).size, 3);
+}
+
+TEST(StringCode, AWstringCutWithinACharacterIsShownByItsUnitAndReadBack) {
+    TypeTable types;
+    const TypeId type = types.wstring(5), wchar = TypeTable::of(TypeKind::Wchar);
+    const std::u16string pair = u"\U0001F600";
+    const struct {
+        std::u16string units;
+        const char *text, *json;
+    } rows[] = {
+        {std::u16string(u"a") + pair[0], R"("a$D83D")", "\"a\uFFFD\""},
+        {pair[1] + std::u16string(u"b"), R"("$DE00b")", "\"\uFFFDb\""},
+        {std::u16string() + pair[1] + pair[0], R"("$DE00$D83D")", "\"\uFFFD\uFFFD\""},
+        {pair + u"b", "\"\U0001F600b\"", "\"\U0001F600b\""},
+    };
+    for (const auto& row : rows) {
+        const Value value{type, row.units};
+        EXPECT_EQ(toText(types, value), row.text);
+        EXPECT_EQ(toJson(types, value), row.json) << row.text;
+        const auto back = parseValue(types, type, row.text);
+        ASSERT_TRUE(back) << row.text;
+        EXPECT_EQ(std::get<std::u16string>(back->data), row.units) << row.text;
+    }
+    const auto joined = parseValue(types, type, R"("$D83D$DE00")");
+    ASSERT_TRUE(joined);
+    EXPECT_EQ(toText(types, *joined), "\"\U0001F600\"");
+    EXPECT_EQ(toText(types, {wchar, int64_t{0xD83D}}), R"("$D83D")");
+    EXPECT_EQ(toJson(types, {wchar, int64_t{0xD83D}}), "\"\uFFFD\"");
+    EXPECT_EQ(parseValue(types, wchar, R"("$D83D")")->integer(), 0xD83D);
+}
+
 TEST(StringCode, ValuesAreShownAndReadInTheEncodingOfTheTable) {
     for (const char* name : {"Windows-1251", "UTF-8"}) {
         TypeTable types;

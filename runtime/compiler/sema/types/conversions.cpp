@@ -196,6 +196,21 @@ Operand sameBits(Context& context, Operand operand, TypeId to) {
     return {e, &context.types};
 }
 
+/// What a text needs as a WSTRING, which counts UTF-16 units, or as a STRING, which counts bytes.
+size_t lengthAs(types::StringCode code, const std::string& narrow, bool asWide) {
+    return asWide ? types::wideOfString(code, narrow).size() : narrow.size();
+}
+size_t lengthAs(types::StringCode code, const std::u16string& wide, bool asWide) {
+    bool ignored = true;
+    return asWide ? wide.size() : types::stringOfWide(code, wide, ignored).size();
+}
+
+/// In one byte a character both are the same.
+messages::Phrase lengthOfText(types::StringCode code, size_t length, bool isWide) {
+    const auto count = static_cast<int64_t>(length);
+    return code == types::StringCode::Utf8 && !isWide ? phrases::BytesInUtf8(count) : phrases::CharactersOfText(count);
+}
+
 ///   ok:    s := 'abcd';  with STRING(4)      advice: with STRING(3) (P2028)      wrong: s := 'Ω';  (P2027)
 Operand convertedText(Context& context, Operand operand, TypeId to) {
     const TypeId from = operand.type();
@@ -205,12 +220,8 @@ Operand convertedText(Context& context, Operand operand, TypeId to) {
         if (context.types.isText(from) && context.types.isText(to)) {
             const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
             const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
-            // Characters: a STRING is one byte each, a WSTRING one UTF-16 unit.
-            const size_t length = narrow ? narrow->size() : wide ? wide->size() : 0;
-            if (length > target.capacity) context.emit(range, findings::StringTooLong(length, target.capacity));
-            // Too long is only advised: the assignment cuts at the capacity.
-            if (context.types.kind(from) == context.types.kind(to)) return operand;
-            if (wide) {
+            const bool toWide = context.types.kind(to) == TypeKind::Wstring;
+            if (wide && !toWide) {
                 const std::string utf8 = utf16ToUtf8(*wide);
                 size_t bad = 0;
                 if (!types::stringOfUtf8(context.types.strings, utf8, &bad)) {
@@ -221,9 +232,15 @@ Operand convertedText(Context& context, Operand operand, TypeId to) {
                     return unknown(context, range);
                 }
             }
-            return convertNode(context, operand,
-                               context.types.kind(to) == TypeKind::Wstring ? textType(context, length, true)
-                                                                           : textType(context, length, false));
+            const size_t length = narrow ? lengthAs(context.types.strings, *narrow, toWide)
+                                  : wide ? lengthAs(context.types.strings, *wide, toWide)
+                                         : 0;
+            // Too long is only advised: the assignment cuts at the capacity.
+            if (length > target.capacity)
+                context.emit(range, findings::StringTooLong(lengthOfText(context.types.strings, length, toWide),
+                                                            target.capacity));
+            if (context.types.kind(from) == context.types.kind(to)) return operand;
+            return convertNode(context, operand, textType(context, length, toWide));
         }
     }
     if (context.types.kind(from) == context.types.kind(to)) return operand; // any capacity: the assignment cuts

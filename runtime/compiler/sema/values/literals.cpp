@@ -12,6 +12,7 @@
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
 #include "runtime/types/scalar_text.h"
+#include "runtime/types/wide_text.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -214,18 +215,20 @@ Operand dateLiteral(Context& context, const Written& written) {
 
 /// The characters of a text in the forms that its type may want.
 struct Characters {
-    std::string narrow; // the bytes of a STRING
-    std::string utf8;
+    std::string narrow;   // the bytes of a STRING
+    std::u16string wide;  // the code units of a WSTRING
     char32_t foreign = 0; // the first that STRING does not have
 };
 Characters charactersOf(types::StringCode code, std::u32string_view text, bool isWide) {
     Characters out;
-    for (const char32_t c : text) {
-        if (!types::appendCharacter(code, out.narrow, c) && !out.foreign) out.foreign = c;
-        appendUtf8(out.utf8, c >= types::kRawByte ? c - types::kRawByte : c);
+    out.wide = types::wideOfCharacters(text);
+    // Read back: "$D83D$DE00" is one character.
+    for (const char32_t c : isWide ? types::charactersOfWide(out.wide) : std::u32string(text)) {
+        const bool isHalf = isWide && c >= types::kRawByte;
+        if ((isHalf || !types::appendCharacter(code, out.narrow, c)) && !out.foreign) out.foreign = isHalf ? 0xFFFD : c;
     }
     // '$C6' is a byte of a STRING also where a WSTRING takes it.
-    if (!isWide && !out.foreign) out.utf8 = types::utf8OfString(code, out.narrow);
+    if (!isWide && !out.foreign) out.wide = types::wideOfString(code, out.narrow);
     return out;
 }
 
@@ -256,9 +259,8 @@ Operand textLiteral(Context& context, const Written& written) {
         isWide ? wanted != TypeKind::String || text.foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
     Operand out;
     if (toWide) {
-        std::u16string wide = utf8ToUtf16(text.utf8);
-        const TypeId type = textType(context, wide.size(), true);
-        out = constant(context, {type, std::move(wide)}, e.range);
+        const TypeId type = textType(context, text.wide.size(), true);
+        out = constant(context, {type, text.wide}, e.range);
     } else if (text.foreign) {
         return notInString(context, e, text.foreign);
     } else {
