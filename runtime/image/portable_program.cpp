@@ -101,7 +101,11 @@ template <class A, class T> void elements(A& a, T& list) {
 }
 
 template <class A, class T> void each(A& a, T& value) {
-    if constexpr (isPlain<T>) {
+    if constexpr (std::is_same_v<T, bool>) { // a byte of a damaged program may be anything
+        uint8_t byte = value ? 1 : 0;
+        a.bytes(&byte, 1);
+        value = byte != 0;
+    } else if constexpr (isPlain<T>) {
         a.bytes(&value, sizeof value);
     } else if constexpr (std::is_same_v<T, std::string>) {
         value.resize(a.count(value.size()));
