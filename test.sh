@@ -101,10 +101,10 @@ at_length() { # name of a long test
     esac
 }
 
-# The targets that take texts of the language run without sanitizers (preset fuzz), so that they see many texts; what they kept is
-# run once with them afterwards. The others run with sanitizers from the start.
-of_texts=(fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change)
-of_bytes=(fuzz_messages fuzz_inputs fuzz_peers)
+# The targets that check and run whole programs do so without sanitizers (preset fuzz), so that they see many; what they kept is run
+# once with them afterwards. The others have sanitizers from the start.
+of_programs=(fuzz_check fuzz_run fuzz_change)
+of_bytes=(fuzz_lexer fuzz_parser fuzz_messages fuzz_inputs fuzz_peers)
 
 with_sanitizers() {
     export ASAN_OPTIONS=detect_leaks=1:malloc_context_size=4:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
@@ -125,14 +125,14 @@ fuzz() { # fuzz target
         ;;
     fuzz_messages) seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts) ;; # whole sessions with other editors
     fuzz_peers) seeds=(tests/fuzz/peers) ;;
-    *) preset=fuzz ;;
+    fuzz_check | fuzz_run | fuzz_change) preset=fuzz ;;
     esac
     with_sanitizers
     exec "build/$preset/bin/$1" "${fuzz_options[@]}" -max_total_time="${FUZZ_SECONDS:-300}" -max_len="$longest" "${words[@]}" \
         "-artifact_prefix=build/fuzz_findings/${1}_" "build/fuzz_corpus/$1" "${seeds[@]}"
 }
 
-again_with_sanitizers() { # fuzz target of texts
+again_with_sanitizers() { # fuzz target of programs
     with_sanitizers
     exec "build/asan/bin/$1" "${fuzz_options[@]}" -runs=0 -max_len=65536 "-artifact_prefix=build/fuzz_findings/${1}_" "build/fuzz_corpus/$1"
 }
@@ -153,13 +153,13 @@ if [ "$long" = 1 ]; then
     if is_built asan; then
         part "asan: every test" run_tests asan
         configure fuzz
-        part "fuzz: build" build fuzz "${of_texts[@]}"
+        part "fuzz: build" build fuzz "${of_programs[@]}"
         at_once=${FUZZERS:-2}
         [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
         say "fuzz: ${FUZZ_SECONDS:-300} s each, $at_once at once; a finding lies in build/fuzz_findings"
         part "fuzz: eight targets, ${FUZZ_SECONDS:-300} s each, $at_once at once" \
-            side_by_side "$at_once" build/fuzz_logs fuzz "${of_texts[@]}" "${of_bytes[@]}"
-        part "fuzz: what five of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_texts[@]}"
+            side_by_side "$at_once" build/fuzz_logs fuzz "${of_programs[@]}" "${of_bytes[@]}"
+        part "fuzz: what three of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_programs[@]}"
     fi
     configure tsan
     part "tsan: build" build tsan
