@@ -2,6 +2,7 @@
 
 #include "runtime/compiler/parse/parser.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -9,14 +10,20 @@ namespace plc::fuzz {
 
 namespace {
 
-enum class Piece : uint8_t { Declaration, Section, Variable, Type, Statement, Expression, Name, Count };
+enum class Piece : uint8_t { Declaration, Section, Variable, Type, Statement, Expression, Number, Name, Count };
 constexpr size_t kPieces = static_cast<size_t>(Piece::Count);
 constexpr size_t kLongest = 64 * 1024; // a text that doubles itself stops here
+
+/// One that a std::stoll takes, too.
+bool isNumber(std::string_view text) {
+    return !text.empty() && text.size() <= 18 &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
 
 /// The ranges of all pieces of a text, by kind.
 class Pieces {
 public:
-    explicit Pieces(std::string_view text) {
+    explicit Pieces(std::string_view text) : m_text(text) {
         diagnostics::Sink sink;
         m_file = parse::parseFile(FileId(size_t(0)), text, sink, nullptr, parse::Branches::All);
         for (const syntax::Decl* each : m_file->declarations) declaration(*each);
@@ -30,6 +37,8 @@ private:
     void expression(const syntax::Expr* expr) {
         if (!expr) return;
         add(Piece::Expression, expr->range);
+        if (isNumber(m_text.substr(expr->range.begin, expr->range.end - expr->range.begin)))
+            add(Piece::Number, expr->range);
         add(Piece::Name, expr->name.range);
         expression(expr->base);
         expression(expr->right);
@@ -123,6 +132,7 @@ private:
             for (const syntax::Decl* each : decl.space->declarations) declaration(*each);
     }
 
+    std::string_view m_text;
     std::unique_ptr<syntax::SyntaxFile> m_file;
     std::array<std::vector<SourceRange>, kPieces> m_found;
 };
@@ -192,6 +202,8 @@ std::string changedOnce(const std::string& text, std::string_view donor, const P
     if (!choose(own, random, kind, here)) return text + std::string(donor);
     const std::vector<SourceRange>&same = own.of(kind), &others = lent.of(kind);
     const std::string before = text.substr(0, here.begin), piece = sliceOf(text, here), after = text.substr(here.end);
+    if (kind == Piece::Number && random.next(3) > 0) // bounds, ends of loops, lengths: one too many, one too few
+        return before + std::to_string(std::stoll(piece) + (random.next(2) ? 1 : -1)) + after;
     switch (random.next(7)) {
     case 0: // one of the donor's in its place
         if (!others.empty()) return before + sliceOf(donor, others[random.next(others.size())]) + after;
