@@ -91,8 +91,6 @@ const FaultRow kFaultRows[] = {
      "END_FUNCTION_BLOCK",
      "pump : IPump; p : Pump;", "pump.Run();", "pump"},
     {"Subrange", "TYPE Percent : INT(0..100); END_TYPE", "n : INT := 100; p : Percent;", "n := n + 1; p := n;", "n"},
-    // Copies use the budget up sooner than passes do.
-    {"Loop", "", "go : BOOL := TRUE; a, b : ARRAY[0..99999] OF LINT;", "WHILE go DO b := a; END_WHILE", "go"},
 };
 
 class FaultCauseTest : public StudioTest, public ::testing::WithParamInterface<FaultRow> {};
