@@ -210,9 +210,19 @@ static uint32_t charactersOf(std::string_view name) {
     return out;
 }
 
-/// Of several at the same distance the first in the order of bytes, whatever the order of the candidates.
+/// Bytes at the beginning that are the same, of ASCII without case.
+static size_t sameBeginning(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    size_t count = 0;
+    while (count < std::min(a.size(), b.size()) && lower(a[count]) == lower(b[count])) ++count;
+    return count;
+}
+
+/// Of several at the same distance the one that begins as the name does ("leve": "level" and not "leave"), then the
+/// first in the order of bytes, whatever the order of the candidates.
 std::optional<std::string> nearestName(std::string_view name, const std::vector<std::string>& candidates) {
     const std::string* best = nullptr;
+    size_t bestBeginning = 0;
     size_t bestDistance = std::max<size_t>(1, name.size() / 3); // the largest that counts, until one is found
     const uint32_t characters = charactersOf(name);
     for (const std::string& candidate : candidates) {
@@ -221,8 +231,12 @@ std::optional<std::string> nearestName(std::string_view name, const std::vector<
         if (different > 2 * bestDistance) continue; // most names are this far away
         const size_t distance = editDistance(name, candidate);
         if (distance > bestDistance || distance >= candidate.size()) continue;
-        if (best && distance == bestDistance && candidate >= *best) continue;
+        const size_t beginning = sameBeginning(name, candidate);
+        if (best && distance == bestDistance &&
+            (beginning < bestBeginning || (beginning == bestBeginning && candidate >= *best)))
+            continue;
         best = &candidate;
+        bestBeginning = beginning;
         bestDistance = distance;
     }
     return best ? std::optional(*best) : std::nullopt;

@@ -4,11 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <random>
 
 using namespace plc;
 
 namespace {
+
+size_t sameBeginning(const std::string& a, const std::string& b) {
+    size_t count = 0;
+    for (; count < a.size() && count < b.size(); ++count)
+        if (std::tolower(static_cast<unsigned char>(a[count])) != std::tolower(static_cast<unsigned char>(b[count])))
+            break;
+    return count;
+}
 
 /// By the definition: every candidate is compared.
 std::optional<std::string> nearestOfAll(std::string_view name, const std::vector<std::string>& candidates) {
@@ -17,7 +26,11 @@ std::optional<std::string> nearestOfAll(std::string_view name, const std::vector
     for (const std::string& candidate : candidates) {
         const size_t distance = editDistance(name, candidate);
         if (distance > bestDistance || distance >= candidate.size()) continue;
-        if (best && distance == bestDistance && candidate >= *best) continue;
+        if (best && distance == bestDistance) {
+            const size_t now = sameBeginning(std::string(name), candidate),
+                         then = sameBeginning(std::string(name), *best);
+            if (now < then || (now == then && candidate >= *best)) continue;
+        }
         best = candidate;
         bestDistance = distance;
     }
@@ -48,9 +61,10 @@ TEST(NearestName, IsTheNearestOfAll) {
     EXPECT_GT(found, 100);
 }
 
-TEST(NearestName, SwappedLettersAndCaseCountLittle) {
+TEST(NearestName, SwappedLettersAndCaseCountLittleAndTheBeginningDecides) {
     EXPECT_EQ(nearestName("tmie", {"tank", "Time", "limit"}), "Time");
     EXPECT_EQ(nearestName("motr", {"MOTOR", "rotor"}), "MOTOR");
+    EXPECT_EQ(nearestName("leve", {"leave", "level", "lever"}), "level");
     EXPECT_EQ(nearestName("pump", {"valve"}), std::nullopt);
 }
 
