@@ -1,5 +1,7 @@
 #include "runtime/base/text.h"
 
+#include "runtime/base/chars.h"
+
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -212,10 +214,8 @@ static uint32_t charactersOf(std::string_view name) {
 
 /// Bytes at the beginning that are the same, of ASCII without case.
 static size_t sameBeginning(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    size_t count = 0;
-    while (count < std::min(a.size(), b.size()) && lower(a[count]) == lower(b[count])) ++count;
-    return count;
+    const auto isSame = [](char x, char y) { return asciiLower(x) == asciiLower(y); };
+    return static_cast<size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end(), isSame).first - a.begin());
 }
 
 /// Of several at the same distance the one that begins as the name does ("leve": "level" and not "leave"), then the

@@ -2,6 +2,7 @@
 
 #include "editor/kit/fuzzy.h"
 #include "editor/kit/texts.h"
+#include "editor/kit/variables/layout_variables.h"
 #include "runtime/image/variable_tree.h"
 
 #include <QRegularExpression>
@@ -10,43 +11,6 @@
 namespace plc::trace {
 
 namespace {
-
-using image::VariableKind;
-using kit::Icon;
-
-Icon iconOf(VariableKind kind) {
-    switch (kind) {
-    case VariableKind::Program:
-        return Icon::Program;
-    case VariableKind::List:
-        return Icon::Globals;
-    case VariableKind::Block:
-        return Icon::Block;
-    case VariableKind::Structure:
-        return Icon::Structure;
-    case VariableKind::Enumeration:
-        return Icon::Enumeration;
-    case VariableKind::Input:
-        return Icon::Input;
-    case VariableKind::Output:
-        return Icon::Output;
-    case VariableKind::Constant:
-        return Icon::Constant;
-    case VariableKind::Variable:
-        return Icon::Variable;
-    }
-    return Icon::Variable;
-}
-
-kit::VariableNode shown(const image::VariableNode& node, const types::TypeTable& types) {
-    return {kit::fromView(node.name),
-            kit::fromView(node.path),
-            node.isGroup() ? QString() : kit::fromView(types[node.type].name),
-            kit::fromView(node.comment),
-            iconOf(node.kind),
-            node.hasMembers,
-            !node.isGroup()};
-}
 
 bool isPathCharacter(QChar c) {
     return c.isLetterOrNumber() || c == QLatin1Char('_') || c == QLatin1Char('.') || c == QLatin1Char('[') ||
@@ -66,35 +30,14 @@ std::vector<kit::VariableNode> ProgramVariables::children(const QString& path) c
     if (!m_program) return out;
     const image::Layout& layout = m_program->layout;
     for (const image::VariableNode& node : image::VariableTree(layout).children(path.toStdString()))
-        out.push_back(shown(node, *layout.types));
+        out.push_back(kit::shownVariable(node, layout));
     return out;
 }
 
 std::vector<kit::VariableNode> ProgramVariables::search(const QString& wanted, int limit) const {
-    using Next = image::VariableTree::Next;
-    std::vector<kit::VariableNode> out;
-    if (!m_program) return out;
-    constexpr size_t MostVisited = 20'000;
-    constexpr int Deepest = 6;
-    std::vector<std::pair<int, kit::VariableNode>> hits;
-    size_t visited = 0;
-    const image::VariableTree tree(m_program->layout);
-    tree.visit(
-        tree.roots(),
-        [&](const image::VariableNode& node, int depth) {
-            if (++visited > MostVisited) return Next::Stop;
-            if (!node.isGroup())
-                if (const auto match = kit::fuzzyMatch(wanted, kit::fromView(node.path)))
-                    hits.emplace_back(match->score - depth, shown(node, *m_program->layout.types));
-            return depth > Deepest ? Next::Over : Next::Into;
-        },
-        true);
-    std::stable_sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (auto& [score, node] : hits) {
-        if (static_cast<int>(out.size()) >= limit) break;
-        out.push_back(std::move(node));
-    }
-    return out;
+    if (!m_program) return {};
+    const image::Layout& layout = m_program->layout;
+    return kit::bestOf(kit::matchingVariables(layout, image::VariableTree(layout).roots(), true, wanted), limit);
 }
 
 std::vector<kit::Completion> ProgramVariables::complete(const QString& line, int cursor) const {

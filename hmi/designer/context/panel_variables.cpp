@@ -3,6 +3,7 @@
 #include "editor/kit/fuzzy.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
+#include "editor/kit/variables/layout_variables.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -11,29 +12,7 @@ namespace plc::hmi {
 
 namespace {
 
-kit::Icon iconOfVariable(image::VariableKind kind) {
-    switch (kind) {
-    case image::VariableKind::Program:
-        return kit::Icon::Program;
-    case image::VariableKind::List:
-        return kit::Icon::Globals;
-    case image::VariableKind::Block:
-        return kit::Icon::Block;
-    case image::VariableKind::Structure:
-        return kit::Icon::Structure;
-    case image::VariableKind::Enumeration:
-        return kit::Icon::Enumeration;
-    case image::VariableKind::Input:
-        return kit::Icon::Input;
-    case image::VariableKind::Output:
-        return kit::Icon::Output;
-    case image::VariableKind::Constant:
-        return kit::Icon::Constant;
-    case image::VariableKind::Variable:
-        return kit::Icon::Variable;
-    }
-    return kit::Icon::Variable;
-}
+const QString kPrefix = QStringLiteral("$");
 
 /// What the program says about the type in a comment at its declaration.
 QString commentOfType(const driver::Checked& checked, const QString& type) {
@@ -82,16 +61,6 @@ image::Layout PanelVariables::layout() const {
     return out;
 }
 
-kit::VariableNode PanelVariables::shown(const image::VariableNode& node, const image::Layout& layout) const {
-    return {kit::fromView(node.name),
-            u'$' + kit::fromView(node.path),
-            kit::fromView((*layout.types)[node.type].name),
-            kit::fromView(node.comment),
-            iconOfVariable(node.kind),
-            node.hasMembers,
-            true};
-}
-
 std::vector<kit::VariableNode> PanelVariables::children(const QString& path) const {
     std::vector<kit::VariableNode> out;
     const kit::VariableProvider* project = ofProject();
@@ -100,7 +69,8 @@ std::vector<kit::VariableNode> PanelVariables::children(const QString& path) con
     const image::Layout places = layout();
     const image::VariableTree tree(places);
     if (!path.isEmpty()) {
-        for (const image::VariableNode& node : tree.children(toUtf8(path.mid(1)))) out.push_back(shown(node, places));
+        for (const image::VariableNode& node : tree.children(toUtf8(path.mid(1))))
+            out.push_back(kit::shownVariable(node, places, kPrefix));
         return out;
     }
     const std::vector<image::VariableNode> known = tree.declared();
@@ -109,8 +79,9 @@ std::vector<kit::VariableNode> PanelVariables::children(const QString& path) con
         kit::VariableNode node{name, name, parameter.type, commentOfType(m_context.checked(), parameter.type)};
         for (const image::VariableNode& one : known)
             if (equalsIgnoringCase(one.path, toUtf8(parameter.name))) {
-                node.icon = iconOfVariable(one.kind);
-                node.hasChildren = one.hasMembers;
+                const kit::VariableNode shown = kit::shownVariable(one, places);
+                node.icon = shown.icon;
+                node.hasChildren = shown.hasChildren;
             }
         out.push_back(std::move(node));
     }
@@ -120,31 +91,18 @@ std::vector<kit::VariableNode> PanelVariables::children(const QString& path) con
 }
 
 std::vector<kit::VariableNode> PanelVariables::search(const QString& wanted, int limit) const {
-    using Next = image::VariableTree::Next;
-    constexpr size_t MostVisited = 5'000;
-    constexpr int Deepest = 6;
-    std::vector<std::pair<int, kit::VariableNode>> hits;
-    const auto take = [&](kit::VariableNode node, int depth) {
-        if (const auto match = kit::fuzzyMatch(wanted, node.path))
-            hits.emplace_back(match->score - depth, std::move(node));
-    };
-    for (kit::VariableNode& node : children({}))
-        if (node.path.startsWith(u'$')) take(std::move(node), 0);
-    size_t visited = 0;
     const image::Layout places = layout();
     const image::VariableTree tree(places);
-    tree.visit(
-        tree.declared(),
-        [&](const image::VariableNode& node, int depth) {
-            if (++visited > MostVisited) return Next::Stop;
-            if (depth > 0) take(shown(node, places), depth); // the parameters are there
-            return depth > Deepest ? Next::Over : Next::Into;
-        },
-        false);
-    std::stable_sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<kit::VariableNode> out;
-    for (auto& [score, node] : hits)
-        if (static_cast<int>(out.size()) < limit) out.push_back(std::move(node));
+    std::vector<image::VariableNode> members;
+    for (const image::VariableNode& parameter : tree.declared())
+        for (image::VariableNode& member : tree.children(parameter.path)) members.push_back(std::move(member));
+    std::vector<kit::ScoredVariable> hits;
+    for (kit::VariableNode& node : children({})) // those without a known type, too
+        if (node.path.startsWith(u'$'))
+            if (const auto match = kit::fuzzyMatch(wanted, node.path)) hits.push_back({match->score + 1, node});
+    for (kit::ScoredVariable& hit : kit::matchingVariables(places, members, false, wanted, kPrefix))
+        hits.push_back(std::move(hit));
+    std::vector<kit::VariableNode> out = kit::bestOf(std::move(hits), limit);
     const kit::VariableProvider* project = ofProject();
     const int left = limit - static_cast<int>(out.size());
     if (!project || left <= 0) return out;

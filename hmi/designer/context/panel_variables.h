@@ -31,7 +31,6 @@ public:
 
 private:
     image::Layout layout() const;
-    kit::VariableNode shown(const image::VariableNode& node, const image::Layout& layout) const;
     const kit::VariableProvider* ofProject() const;
     const DesignContext& m_context;
     const PanelDocument& m_document;
