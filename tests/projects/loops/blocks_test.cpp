@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 
 using namespace plc;
@@ -204,18 +205,25 @@ TEST_P(BlockKinds, GoesOnFromItsOutputAfterAnOnlineChangeAtFullSpeed) {
     constexpr history::Position kAround = 900;
     const auto output = samplesOf(loop->pin(loop->form->input), *changed - kAround, *changed + kAround);
     const auto setPoint = samplesOf("Main.SetPoint", *changed - kAround, *changed + kAround);
-    double there = 0, around = 0;
-    size_t sinceStep = 0;
+    // Compared with the scans that are as far behind a step of the set point, with the old settings and with the new
+    // ones.
+    constexpr size_t kSettled = 11;
+    std::array<double, kSettled + 1> around{};
+    double there = 0;
+    size_t sinceStep = kSettled, thereSinceStep = kSettled;
     for (size_t i = 1; i < output.size(); ++i) {
         const double moved = std::abs(output[i].value - output[i - 1].value);
-        sinceStep = setPoint[i].value != setPoint[i - 1].value ? 0 : sinceStep + 1;
-        if (i == kAround)
+        sinceStep = setPoint[i].value != setPoint[i - 1].value ? 0 : std::min(sinceStep + 1, kSettled);
+        if (i == kAround) {
             there = moved;
-        else if (sinceStep > 10)
-            around = std::max(around, moved);
+            thereSinceStep = sinceStep;
+        } else {
+            around[sinceStep] = std::max(around[sinceStep], moved);
+        }
     }
-    EXPECT_GT(around, 0.01);
-    EXPECT_LE(there, around) << kind.declaration;
+    EXPECT_GT(around[kSettled], 0.01) << "nothing moves: nothing is compared";
+    EXPECT_LE(there, around[thereSinceStep])
+        << kind.declaration << " scan " << *changed << ", " << thereSinceStep << " behind a step";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BlockKinds, ::testing::ValuesIn(kKinds),
