@@ -2227,8 +2227,8 @@
         <translation>Programmet har ingen type {0}; angiv en blok eller en struktur, BOOL, REAL eller lignende, eller text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
-        <translation>Parameteren {0} kræver et argument af typen {1}; angiv det i faceplaten</translation>
+        <source>The parameter {0} needs an argument of type {1}; enter one in the properties of this faceplate</source>
+        <translation>Parameteren {0} kræver et argument af typen {1}; skriv et i egenskaberne for denne faceplate</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -7763,9 +7763,9 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-New panels are drawn in the designer: Project, Panels, New…</source>
+To draw one, right-click Panels in the project tree and choose New….</source>
         <translation>Projektet har endnu intet panel.
-Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
+Højreklik på Paneler i projekttræet, og vælg Ny… for at tegne et.</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

@@ -2227,8 +2227,8 @@
         <translation>Das Programm hat keinen Typ {0}; geben Sie einen Baustein oder eine Struktur an, BOOL, REAL oder dergleichen, oder text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
-        <translation>Der Parameter {0} braucht ein Argument vom Typ {1}; geben Sie es im Faceplate an</translation>
+        <source>The parameter {0} needs an argument of type {1}; enter one in the properties of this faceplate</source>
+        <translation>Der Parameter {0} braucht ein Argument vom Typ {1}; geben Sie eines in den Eigenschaften dieses Faceplates ein</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -7763,9 +7763,9 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-New panels are drawn in the designer: Project, Panels, New…</source>
+To draw one, right-click Panels in the project tree and choose New….</source>
         <translation>Dieses Projekt hat noch kein Panel.
-Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
+Um eines zu zeichnen, klicken Sie im Projektbaum mit der rechten Maustaste auf Panels und wählen Neu….</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

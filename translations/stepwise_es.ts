@@ -2227,8 +2227,8 @@
         <translation>El programa no tiene ningún tipo {0}; indique un bloque o una estructura, BOOL, REAL o similar, o text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
-        <translation>El parámetro {0} necesita un argumento de tipo {1}; indíquelo en el faceplate</translation>
+        <source>The parameter {0} needs an argument of type {1}; enter one in the properties of this faceplate</source>
+        <translation>El parámetro {0} necesita un argumento de tipo {1}; introduzca uno en las propiedades de este faceplate</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -7763,9 +7763,9 @@ No conservados: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-New panels are drawn in the designer: Project, Panels, New…</source>
+To draw one, right-click Panels in the project tree and choose New….</source>
         <translation>Este proyecto aún no tiene paneles.
-Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</translation>
+Para dibujar uno, haga clic derecho en Paneles en el árbol del proyecto y elija Nuevo….</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

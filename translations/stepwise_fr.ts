@@ -2227,8 +2227,8 @@
         <translation>Le programme n’a pas de type {0}&#x202f;; indiquez un bloc ou une structure, BOOL, REAL ou similaire, ou text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
-        <translation>Le paramètre {0} demande un argument de type {1}&#x202f;; indiquez-le dans la vue d’objet</translation>
+        <source>The parameter {0} needs an argument of type {1}; enter one in the properties of this faceplate</source>
+        <translation>Le paramètre {0} demande un argument de type {1}&#x202f;; saisissez-en un dans les propriétés de cette vue d’objet</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -7763,9 +7763,9 @@ Non conservés&#xa0;: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-New panels are drawn in the designer: Project, Panels, New…</source>
+To draw one, right-click Panels in the project tree and choose New….</source>
         <translation>Ce projet n’a pas encore de vue.
-Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, Nouveau…</translation>
+Pour en dessiner une, cliquez avec le bouton droit sur Vues dans l’arborescence du projet et choisissez Nouveau….</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

@@ -2227,8 +2227,8 @@
         <translation>程序没有类型 {0}；请指定块或结构、BOOL、REAL 等，或 text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
-        <translation>参数 {0} 需要类型为 {1} 的实参；请在面板组件中指定</translation>
+        <source>The parameter {0} needs an argument of type {1}; enter one in the properties of this faceplate</source>
+        <translation>参数 {0} 需要类型为 {1} 的实参；请在此面板组件的属性中输入</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -7757,9 +7757,9 @@ Not kept: %3</source>
     </message>
     <message>
         <source>This project has no panel yet.
-New panels are drawn in the designer: Project, Panels, New…</source>
+To draw one, right-click Panels in the project tree and choose New….</source>
         <translation>此项目尚无画面。
-新画面在设计器中绘制：项目、画面、新建…</translation>
+要绘制画面，请在项目树中右键单击“画面”，然后选择“新建…”。</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

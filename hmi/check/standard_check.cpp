@@ -132,9 +132,11 @@ private:
         for (const NamedPanel& one : m_input.panels) {
             if (isFaceplate(one.panel) || one.name == m_input.frame) continue;
             constexpr int Most = 3;
-            if (!presses.contains(one.name))
+            if (!presses.contains(one.name)) { // then nobody needs a way back yet
                 add(StandardRule::TooManyPresses, one.name, {}, {}, errors::PanelNotReached(toUtf8(one.name)));
-            else if (presses.value(one.name) > Most)
+                continue;
+            }
+            if (presses.value(one.name) > Most)
                 add(StandardRule::TooManyPresses, one.name, {}, {},
                     errors::PanelTooDeep(toUtf8(one.name), presses.value(one.name), Most));
             const bool hasFrame = frame && one.panel.isSet("framed") && ways.hasWayBack(frame->panel);

@@ -33,6 +33,18 @@
 namespace plc::hmi {
 namespace {
 
+TEST(Designer, WhatIsDroppedAtTheEdgeLiesOnThePanel) {
+    Studio studio;
+    const QSizeF panel = studio.designer->canvas().scene().size();
+    const double right = panel.width() - 2, bottom = panel.height() - 2;
+    for (const auto& [x, y] : {std::pair{2.0, 2.0}, {right, 2.0}, {right, bottom}, {2.0, bottom}}) {
+        studio.dropElement(ElementKind::Button, x, y);
+        EXPECT_TRUE(QRectF(QPointF(), panel).contains(studio.last().rect())) << x << ' ' << y;
+    }
+    studio.dropVariable("Main.running", right, bottom);
+    EXPECT_TRUE(QRectF(QPointF(), panel).contains(studio.last().rect()));
+}
+
 TEST(Designer, APanelFromNothingIsDrawnRunPressedSeenAndSwitchedToAnotherLanguage) {
     Studio studio;
     const std::string empty = studio.panel().write();

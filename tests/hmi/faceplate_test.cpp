@@ -207,7 +207,7 @@ TEST(FaceplateCheck, EachMistakeIsSaidWhereItIs) {
          "hmi/main.panel.json: g.panel: error H1013"},
         {"missing", open + "}", kGate,
          "hmi/main.panel.json: g.arguments.gate: error H1019: The parameter $gate needs an argument of type Gate; "
-         "specify it in the faceplate"},
+         "enter one in the properties of this faceplate"},
         {"other type", open + R"(, "arguments": {"gate": "Main.speed"}})", kGate,
          "hmi/main.panel.json: g.arguments.gate: error H1019: Main.speed is REAL; the parameter $gate needs Gate"},
         {"misspelled variable", open + R"(, "arguments": {"gate": "Main.gaets[1]"}})", kGate,

@@ -16,8 +16,6 @@
 
 namespace plc::kit {
 
-namespace {}
-
 QString propertyText(const PropertyDescriptor& descriptor, const QVariant& value) {
     if (!value.isValid()) return {};
     switch (descriptor.kind) {
@@ -60,7 +58,9 @@ PropertyGrid::PropertyGrid(QWidget* parent) : QTreeWidget(parent) {
     setEditTriggers(NoEditTriggers);
     setVerticalScrollMode(ScrollPerPixel);
     header()->setStretchLastSection(true);
-    header()->resizeSection(0, 130);
+    connect(header(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column == 0 && !m_isFitting) m_namesAreSized = true;
+    });
     setItemDelegate(new PropertyDelegate(*this));
     setAcceptDrops(true);
     viewport()->setAcceptDrops(true);
@@ -97,6 +97,22 @@ void PropertyGrid::setDescriptors(std::vector<PropertyDescriptor> descriptors) {
         showValue(e);
     }
     for (auto& [name, group] : groups) group->setExpanded(!m_folded[name]);
+    fitNames();
+}
+
+void PropertyGrid::fitNames() {
+    if (m_namesAreSized) return;
+    int widest = 130;
+    for (const Entry& e : m_entries)
+        widest = std::max(widest, fontMetrics().horizontalAdvance(e.descriptor.label) + indentation() + 12);
+    m_isFitting = true;
+    header()->resizeSection(0, std::min(widest, std::max(130, viewport()->width() * 55 / 100)));
+    m_isFitting = false;
+}
+
+void PropertyGrid::resizeEvent(QResizeEvent* event) {
+    QTreeWidget::resizeEvent(event);
+    fitNames();
 }
 
 PropertyGrid::Entry* PropertyGrid::entry(const QString& id) {

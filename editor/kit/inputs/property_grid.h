@@ -98,6 +98,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     friend class PropertyDelegate;
@@ -111,12 +112,16 @@ private:
     const Entry* entry(const QString& id) const;
     Entry* entryOf(const QTreeWidgetItem* item);
     void showValue(Entry& entry);
+    /// Names are read whole, as long as they leave room for the values and nobody has moved the divider.
+    void fitNames();
     /// The expression under a variable that is dragged; null elsewhere.
     const Entry* entryUnder(const QDropEvent& event);
     void commit(const QString& id, const QVariant& value);
 
     std::vector<Entry> m_entries;
     std::map<QString, bool> m_folded;
+    bool m_isFitting = false;
+    bool m_namesAreSized = false; // by hand
     CompletionSource m_completions;
     std::function<QString(const QString&, const QString&)> m_check;
     std::function<std::optional<QString>(const QString&)> m_picker;

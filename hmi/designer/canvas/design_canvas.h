@@ -38,6 +38,8 @@ public:
     /// Inserts new elements with their middle at a point (snapped), into the tab that lies there; selects them.
     void insertElements(const Json& elements, QPointF at);
     void insertVariables(const QStringList& paths, QPointF at, bool operates);
+    /// Moved so that all of it, or its upper left corner, lies on the panel.
+    QRectF onPanel(QRectF rect) const;
     QPointF visibleCenter() const;
     /// The outermost element of the group that is entered; empty: none.
     ElementId enteredGroup() const { return m_entered; }

@@ -49,6 +49,7 @@ void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
         rect.translate(snapped.offset);
         m_guides = snapped.guides;
     }
+    rect.moveTopLeft(onPanel(rect).topLeft());
     const bool isNew = event->modifiers() & Qt::ShiftModifier; // an element that operates
     const QStringList variables = isNew ? QStringList() : droppedVariables(event->mimeData());
     if (const ElementId bound = bindingUnder(at, variables).first; !bound.isEmpty()) {
@@ -121,6 +122,13 @@ void leadToPanels(Json& fields, const PanelProject& project) {
 
 } // namespace
 
+QRectF DesignCanvas::onPanel(QRectF rect) const {
+    const QSizeF panel = m_scene.size();
+    rect.moveLeft(std::max(0.0, std::min(rect.left(), panel.width() - rect.width())));
+    rect.moveTop(std::max(0.0, std::min(rect.top(), panel.height() - rect.height())));
+    return rect;
+}
+
 void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     const PanelLookup panels = m_context.project().panelLookup();
     for (const Json& fields : elements) {
@@ -136,6 +144,7 @@ void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     QPointF corner = at - QPointF(bounds.width() / 2, bounds.height() / 2);
     corner = QPointF(std::round(corner.x()), std::round(corner.y()));
     if (m_snaps) corner += snapMove(QRectF(corner, bounds.size()), snapField({})).offset;
+    corner = onPanel(QRectF(corner, bounds.size())).topLeft();
     Json placed = elements;
     int page = 0;
     const ElementId tab = tabAt(at, &page);

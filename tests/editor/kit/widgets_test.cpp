@@ -15,6 +15,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QGraphicsRectItem>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenuBar>
@@ -219,6 +220,23 @@ QRect cellOf(const PropertyGrid& grid, const QString& id) {
 }
 
 } // namespace
+
+TEST(PropertyGrid, NamesAreReadWholeWhileValuesHaveRoom) {
+    PropertyGrid grid;
+    grid.resize(600, 300);
+    grid.show();
+    const QString name = QStringLiteral("Background of what is selected");
+    grid.setDescriptors({{.id = QStringLiteral("a"), .label = name, .kind = PropertyKind::Text}});
+    const int needed = grid.fontMetrics().horizontalAdvance(name);
+    EXPECT_GT(cellOf(grid, QStringLiteral("a")).left(), needed);
+    grid.resize(200, 300);
+    EXPECT_GE(grid.columnWidth(1), 60);
+    grid.resize(600, 300);
+    EXPECT_GT(grid.columnWidth(0), needed);
+    grid.header()->resizeSection(0, 90); // as a hand does
+    grid.resize(500, 300);
+    EXPECT_EQ(grid.columnWidth(0), 90);
+}
 
 TEST(PropertyGrid, SpinningPreviewsAndLeavingCommitsOnce) {
     PropertyGrid grid;
