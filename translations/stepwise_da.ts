@@ -2228,7 +2228,7 @@
     </message>
     <message>
         <source>The parameter {0} needs an argument of type {1}; enter one in the properties of this faceplate</source>
-        <translation>Parameteren {0} kræver et argument af typen {1}; skriv et i egenskaberne for denne faceplate</translation>
+        <translation>Parameteren {0} kræver et argument af typen {1}; skriv et i faceplatens egenskaber</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>

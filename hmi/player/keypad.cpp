@@ -36,6 +36,7 @@ Overlay::Overlay(const OverlayLook& look, QWidget* parent) : QWidget(parent), m_
                        "QPushButton { background: %6; color: %3; border: 1px solid %2; border-radius: 5px; min-height: "
                        "44px; min-width: 44px; padding: 0 8px; }"
                        "QPushButton:pressed { background: %4; } QPushButton#main { background: %7; color: %8; }"
+                       "QPushButton:focus { border: 3px solid %3; }"
                        "QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; border: none; }")
             .arg(name("surface"), name("line"), name("text"), name("muted"), name("inset"), name("button"),
                  name("accent"), PanelTheme::inkOn(theme.color("accent")).name()));
@@ -45,6 +46,13 @@ QPushButton* Overlay::key(const QString& text, bool isMain) const {
     auto* button = new QPushButton(text, m_box);
     button->setFocusPolicy(Qt::NoFocus);
     if (isMain) button->setObjectName(QStringLiteral("main"));
+    return button;
+}
+
+QPushButton* Overlay::choice(const QString& text, bool isMain) const {
+    QPushButton* button = key(text, isMain);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAutoDefault(true);
     return button;
 }
 
@@ -324,14 +332,16 @@ void Keypad::keyPressEvent(QKeyEvent* event) {
 ChoiceList::ChoiceList(const ChoiceRequest& request, const OverlayLook& look, QWidget* parent) : Overlay(look, parent) {
     auto* layout = new QVBoxLayout(box());
     layout->setContentsMargins(10, 10, 10, 10);
-    auto* area = new QScrollArea(box());
-    area->setWidgetResizable(true);
-    auto* list = new QWidget(area);
+    m_area = new QScrollArea(box());
+    m_area->setWidgetResizable(true);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    auto* list = new QWidget(m_area);
     auto* rows = new QVBoxLayout(list);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(6);
     for (int i = 0; i < request.texts.size(); ++i) {
-        auto* row = key(request.texts[i], i == request.present);
+        auto* row = choice(request.texts[i], i == request.present);
+        row->installEventFilter(this);
         row->setMinimumWidth(220);
         connect(row, &QPushButton::clicked, this, [this, request, i] {
             emit chosen(request, i);
@@ -339,12 +349,20 @@ ChoiceList::ChoiceList(const ChoiceRequest& request, const OverlayLook& look, QW
         });
         rows->addWidget(row);
     }
-    area->setWidget(list);
+    m_area->setWidget(list);
     const int wanted = static_cast<int>(request.texts.size()) * 52 + 4;
-    area->setMinimumHeight(std::min(wanted, parent->height() - 60));
-    area->setMinimumWidth(std::max(list->sizeHint().width(), 220) + 16);
-    layout->addWidget(area);
+    m_area->setMinimumHeight(std::min(wanted, parent->height() - 60));
+    m_area->setMinimumWidth(std::max(list->sizeHint().width(), 220) + 16);
+    layout->addWidget(m_area);
     place();
+    const QLayoutItem* first = rows->itemAt(std::clamp(request.present, 0, std::max(0, rows->count() - 1)));
+    if (first) first->widget()->setFocus();
+}
+
+bool ChoiceList::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn)
+        if (auto* row = qobject_cast<QPushButton*>(watched)) m_area->ensureWidgetVisible(row);
+    return Overlay::eventFilter(watched, event);
 }
 
 // ---- question
@@ -358,8 +376,8 @@ Question::Question(const ConfirmRequest& request, const OverlayLook& look, QWidg
     text->setMinimumWidth(std::min(360, parent->width() - 80));
     layout->addWidget(text);
     auto* row = new QHBoxLayout;
-    auto* no = key(words(SystemText::No));
-    auto* yes = key(words(SystemText::Yes), true);
+    auto* no = choice(words(SystemText::No));
+    auto* yes = choice(words(SystemText::Yes), true);
     connect(no, &QPushButton::clicked, this, [this] {
         emit cancelled();
         close();
@@ -372,6 +390,7 @@ Question::Question(const ConfirmRequest& request, const OverlayLook& look, QWidg
     row->addWidget(yes);
     layout->addLayout(row);
     place();
+    no->setFocus(); // a key pressed too often confirms nothing
 }
 
 } // namespace plc::hmi

@@ -10,6 +10,7 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 class QGridLayout;
 
 namespace plc::hmi {
@@ -38,6 +39,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void place();
     QPushButton* key(const QString& text, bool isMain = false) const;
+    /// Also reached with the arrow keys and pressed with Enter or Space.
+    QPushButton* choice(const QString& text, bool isMain = false) const;
     QString words(SystemText text) const { return systemText(*m_look.texts, text, m_look.tag); }
 
     OverlayLook m_look;
@@ -83,6 +86,12 @@ public:
 
 signals:
     void chosen(const plc::hmi::ChoiceRequest& request, int index);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QScrollArea* m_area;
 };
 
 class Question final : public Overlay {

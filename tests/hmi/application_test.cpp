@@ -205,6 +205,23 @@ struct Manned : Plant {
     }
 };
 
+TEST(People, LogInByKeysAlone) {
+    Manned plant;
+    PanelPlayer& player = plant.play("main");
+    const auto press = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+    const auto logIn = [&](const std::vector<Qt::Key>& keys, const char* password) {
+        plant.click("who");
+        ASSERT_TRUE(plant.box<ChoiceList>());
+        for (const Qt::Key key : keys) press(key);
+        plant.enter(password);
+    };
+    logIn({Qt::Key_Down, Qt::Key_Up, Qt::Key_Space}, "4711");
+    EXPECT_EQ(player.people().user().toStdString(), "anna");
+    plant.click("who");
+    logIn({Qt::Key_Down, Qt::Key_Return}, "0815");
+    EXPECT_EQ(player.people().user().toStdString(), "bert");
+}
+
 TEST(People, SomebodyLogsInIsAllowedAndLeavesATrail) {
     Manned plant;
     PanelPlayer& player = plant.play("main");
