@@ -30,12 +30,13 @@ namespace {
 void sayWhyEmpty(QWidget& place, const hmi::PanelProject& project) {
     const QStringList unread = hmi::unreadPanels(project.folder, project.panels);
     if (auto* label = qobject_cast<QLabel*>(&place))
-        label->setText(unread.isEmpty()
-                           ? LiveViews::tr("This project has no panel yet.\nTo draw one, right-click Panels in the project tree "
-                                           "and choose New….")
-                           : LiveViews::tr("No panel can be read: %1.\nProblems says what is wrong; a double click "
-                                           "there opens the file as text.")
-                                 .arg(unread.join(QStringLiteral(", "))));
+        label->setText(
+            unread.isEmpty()
+                ? LiveViews::tr("This project has no panel yet.\nTo draw one, right-click Panels in the project tree "
+                                "and choose New….")
+                : LiveViews::tr("No panel can be read: %1.\nProblems says what is wrong; a double click "
+                                "there opens the file as text.")
+                      .arg(unread.join(QStringLiteral(", "))));
     place.setVisible(project.panels.empty());
 }
 
