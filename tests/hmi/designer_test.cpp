@@ -33,6 +33,18 @@
 namespace plc::hmi {
 namespace {
 
+TEST(Designer, ColoursOfTheSheetAreThoseOfThePanelsTheme) {
+    Studio studio;
+    const auto colour = [&](const char* role) {
+        for (const kit::PropertyChoice& choice : studio.designer->sheet().grid().descriptor("background")->choices)
+            if (choice.value == QString::fromLatin1(role)) return choice.color;
+        return QColor();
+    };
+    EXPECT_EQ(colour("background"), PanelTheme::of(PanelThemeKind::Light).color("background"));
+    studio.designer->sheet().commit(QStringLiteral("theme"), QStringLiteral("dark"));
+    EXPECT_EQ(colour("background"), PanelTheme::of(PanelThemeKind::Dark).color("background"));
+}
+
 TEST(Designer, WhatIsDroppedAtTheEdgeLiesOnThePanel) {
     Studio studio;
     const QSizeF panel = studio.designer->canvas().scene().size();

@@ -47,11 +47,10 @@ void stringRow(kit::PropertyDescriptor& row, const PropertyDescriptor& property,
     }
 }
 
-std::vector<kit::PropertyChoice> colorChoices() {
+std::vector<kit::PropertyChoice> colorChoices(const PanelTheme& theme) {
     std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}},
                                          {QStringLiteral("none"), Hmi::tr("none"), {}}};
-    for (const QString& role : PanelTheme::roles())
-        out.push_back({role, roleTitle(role), {}, PanelTheme::of(PanelThemeKind::Light).color(role)});
+    for (const QString& role : PanelTheme::roles()) out.push_back({role, roleTitle(role), {}, theme.color(role)});
     out.push_back({QStringLiteral("?"), Hmi::tr("Other…"), {}});
     return out;
 }
@@ -117,7 +116,7 @@ std::optional<Parameter> parameterOf(const Element& element, const QString& grid
 }
 
 std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context,
-                                              const std::string& prefix, bool hasParameters) {
+                                              const std::string& prefix, bool hasParameters, const QString& theme) {
     kit::PropertyDescriptor row = base(property, prefix);
     switch (property.type) {
     case PropertyType::Name:
@@ -176,7 +175,7 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
         break;
     case PropertyType::Color:
         row.kind = kit::PropertyKind::Enumeration;
-        row.choices = colorChoices();
+        row.choices = colorChoices(context.project().themes.named(theme));
         break;
     case PropertyType::String:
         stringRow(row, property, context);

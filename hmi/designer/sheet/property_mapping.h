@@ -7,9 +7,10 @@
 namespace plc::hmi {
 
 /// The grid's rows for a property: rectangles and sizes have several, names none.
-/// In a panel with parameters, numbers may be given as "$limit".
+/// In a panel with parameters, numbers may be given as "$limit". Colours are shown as in the panel's `theme`.
 std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context,
-                                              const std::string& prefix = {}, bool hasParameters = false);
+                                              const std::string& prefix = {}, bool hasParameters = false,
+                                              const QString& theme = {});
 /// A row for each parameter of the panel that the element places ("arguments.valve").
 std::vector<kit::PropertyDescriptor> argumentRows(const PropertyDescriptor& property, const Element& element,
                                                   const DesignContext& context);

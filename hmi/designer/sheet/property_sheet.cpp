@@ -109,6 +109,8 @@ std::vector<const PropertyDescriptor*> PropertySheet::shared() const {
 /// What the rows depend on: the kinds that are selected, the panels that they place.
 QString PropertySheet::shapeNow() const {
     QString shape = parametersOf(m_document.panel()).empty() ? QString() : QStringLiteral("$ ");
+    shape += m_document.panel().text("theme"_text) + u' '; // colours are shown in it
+    for (const auto& [name, theme] : m_context.project().themes.own()) shape += name + u' ';
     for (const ElementId& id : targets()) {
         if (id.isEmpty()) return shape + QStringLiteral("panel");
         const Element& element = *m_document.panel().find(id);
@@ -129,7 +131,8 @@ std::vector<kit::PropertyDescriptor> PropertySheet::rowsOf(const PropertyDescrip
     const ElementIds ids = targets();
     if (property.type == PropertyType::Arguments)
         return argumentRows(property, *m_document.panel().find(ids.front()), m_context);
-    return gridRows(property, m_context, {}, !parametersOf(m_document.panel()).empty() && !ids.front().isEmpty());
+    return gridRows(property, m_context, {}, !parametersOf(m_document.panel()).empty() && !ids.front().isEmpty(),
+                    m_document.panel().text("theme"_text));
 }
 
 void PropertySheet::rebuild() {
