@@ -48,7 +48,7 @@ private:
     QMainWindow& m_window;
     QMap<Qt::DockWidgetArea, QToolBar*> m_bars;
     QMap<QDockWidget*, QAction*> m_buttons; // of those that hide themselves
-    QFrame* m_frame;                        // the room that slides out
+    QFrame* m_frame = nullptr;              // the room that slides out
     QDockWidget* m_revealed = nullptr;      // whose widget is in the frame
     bool m_isPlacing = false;
 };

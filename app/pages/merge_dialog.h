@@ -41,7 +41,7 @@ private:
     std::vector<editor::Hunk> m_hunks;
     int m_current = -1;
     QsciScintilla *m_here, *m_disk;
-    QLabel* m_where;
+    QLabel* m_where = nullptr;
     std::vector<QToolButton*> m_buttons;
     bool m_isScrolling = false;
 };

@@ -72,19 +72,19 @@ private:
 
     QString m_file;
     Kind m_kind;
-    QWidget* m_notice;
-    InstanceBar* m_instances;
-    QSplitter* m_sides;
-    QSplitter* m_splitter;
+    QWidget* m_notice = nullptr;
+    InstanceBar* m_instances = nullptr;
+    QSplitter* m_sides = nullptr;
+    QSplitter* m_splitter = nullptr;
     editor::ChartView* m_chart = nullptr;
     editor::LadderView* m_ladder = nullptr;
-    editor::StEditor* m_first;
+    editor::StEditor* m_first = nullptr;
     editor::StEditor* m_second = nullptr;
     QPointer<QWidget> m_besideFrame;
     QPointer<editor::StEditor> m_beside;
-    editor::StEditor* m_active;
-    editor::FindBar* m_find;
-    editor::DeclarationTable* m_table;
+    editor::StEditor* m_active = nullptr;
+    editor::FindBar* m_find = nullptr;
+    editor::DeclarationTable* m_table = nullptr;
 };
 
 } // namespace plc::app

@@ -87,9 +87,9 @@ private:
     void filter(const QString& text);
 
     editor::Workspace& m_workspace;
-    QTreeWidget* m_tree;
-    QLineEdit* m_filter;
-    QToolButton* m_byFile;
+    QTreeWidget* m_tree = nullptr;
+    QLineEdit* m_filter = nullptr;
+    QToolButton* m_byFile = nullptr;
     InstanceAt m_instanceAt;
     InstancesOf m_instancesOf;
     QStringList m_collapsed;

@@ -42,7 +42,7 @@ private:
     std::vector<TourStop> m_stops;
     int m_current = 0;
     QPointer<QWidget> m_target;
-    QWidget* m_card;
+    QWidget* m_card = nullptr;
     QLabel *m_title, *m_text, *m_count;
     QPushButton *m_next, *m_back;
 };

@@ -138,10 +138,10 @@ protected:
     bool m_isStale = false, m_isPast = false, m_isFresh = true;
     QString m_selectAfter;
     std::set<int> m_breakpoints, m_disabled, m_bookmarks;
-    kit::Canvas* m_canvas;
-    QToolBar* m_bar;
+    kit::Canvas* m_canvas = nullptr;
+    QToolBar* m_bar = nullptr;
     QLabel* m_state = nullptr;
-    kit::ExpressionEdit* m_field;
+    kit::ExpressionEdit* m_field = nullptr;
     MakeEdits m_makeEdits;
     QString m_fieldBegin;
     uint32_t m_fieldAt = 0;

@@ -48,12 +48,12 @@ private:
     void runCurrent();
     void moveCurrent(int rows);
 
-    QWidget* m_window;
+    QWidget* m_window = nullptr;
     ActionSource m_source;
-    QLineEdit* m_input;
+    QLineEdit* m_input = nullptr;
     QPointer<QWidget> m_before; // had the focus, and gets it back: commands are about it
-    QListView* m_list;
-    QStandardItemModel* m_model;
+    QListView* m_list = nullptr;
+    QStandardItemModel* m_model = nullptr;
     std::vector<Entry> m_entries;
     QStringList m_recent;
 };

@@ -24,7 +24,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QWidget* m_place;
+    QWidget* m_place = nullptr;
     QPointer<QAction> m_pressed; // whose key is on its way
 };
 

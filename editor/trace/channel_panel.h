@@ -59,9 +59,9 @@ private:
     void dropOn(QTreeWidgetItem* target, bool below, const QStringList& paths);
 
     TraceSetup m_setup;
-    kit::ExpressionEdit* m_entry;
-    QTreeWidget* m_list;
-    kit::PropertyGrid* m_grid;
+    kit::ExpressionEdit* m_entry = nullptr;
+    QTreeWidget* m_list = nullptr;
+    kit::PropertyGrid* m_grid = nullptr;
     bool m_filling = false,
          m_isTicked = false; // ticked: the list is telling us of a change and must not be rebuilt yet
 };

@@ -44,7 +44,7 @@ protected:
     QString words(SystemText text) const { return systemText(*m_look.texts, text, m_look.tag); }
 
     OverlayLook m_look;
-    QWidget* m_box;
+    QWidget* m_box = nullptr;
 };
 
 class Keypad final : public Overlay {
@@ -73,8 +73,8 @@ private:
     std::optional<double> number() const;
     QString limitsText() const;
     EntryRequest m_request;
-    QLineEdit* m_edit;
-    QLabel* m_hint;
+    QLineEdit* m_edit = nullptr;
+    QLabel* m_hint = nullptr;
     std::vector<QPushButton*> m_letters;
     bool m_shift = false, m_untouched = true;
 };
@@ -91,7 +91,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QScrollArea* m_area;
+    QScrollArea* m_area = nullptr;
 };
 
 class Question final : public Overlay {

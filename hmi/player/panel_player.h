@@ -143,8 +143,8 @@ private:
     bool m_isPortrait = false, m_showsFrame = false;
     std::string m_shown;
     QPointer<PanelWhy> m_why;
-    PanelView* m_view;
-    PlayerStatus* m_status;
+    PanelView* m_view = nullptr;
+    PlayerStatus* m_status = nullptr;
     QTimer m_timer;
     bool m_isInDock = false; // while it fills the screen: comes back into its place
 };

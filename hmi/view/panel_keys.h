@@ -37,7 +37,7 @@ private:
     void show();
 
     PanelView& m_view;
-    QWidget* m_frame;
+    QWidget* m_frame = nullptr;
     const ElementView* m_at = nullptr; // looked up in the scene before it is used: panels change
     QPointF m_offset;                  // of the place, from the middle of the element
     bool m_isPressed = false;

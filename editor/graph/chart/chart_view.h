@@ -116,11 +116,11 @@ private:
     std::unique_ptr<syntax::SyntaxFile> m_syntax;
     ChartPlace m_place;
     std::unique_ptr<chart::Chart> m_chart;
-    ChartScene* m_scene;
-    QAction* m_up;
-    QWidget* m_begin; // over an empty canvas: how to begin a chart
-    QLabel* m_beginText;
-    QPushButton* m_beginButton;
+    ChartScene* m_scene = nullptr;
+    QAction* m_up = nullptr;
+    QWidget* m_begin = nullptr; // over an empty canvas: how to begin a chart
+    QLabel* m_beginText = nullptr;
+    QPushButton* m_beginButton = nullptr;
     bool m_namesInserted = false; // what is inserted next is named by the user
     FieldKind m_fieldKind = FieldKind::Name;
     std::vector<QString> m_listConditions; // transition → where the result of its instruction list is kept

@@ -127,7 +127,7 @@ private:
     std::shared_ptr<const analysis::CodeModel> m_typesModel; // whose trees m_types looks into
     ladder::Diagram m_diagram;
     ladder::Layout m_layout;
-    LadderScene* m_scene;
+    LadderScene* m_scene = nullptr;
     QAction* m_formAction = nullptr;
     LadderLook m_look;
     Tool m_tool = Tool::Contact;

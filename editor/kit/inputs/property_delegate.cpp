@@ -76,8 +76,8 @@ protected:
     }
 
 private:
-    ExpressionEdit* m_line;
-    QToolButton* m_button;
+    ExpressionEdit* m_line = nullptr;
+    QToolButton* m_button = nullptr;
 };
 
 void paintSwatch(QPainter& painter, const QRectF& box, const QColor& color) {

@@ -69,10 +69,10 @@ private:
     QTreeWidget* present() const;
 
     const VariableProvider& m_provider;
-    QLineEdit* m_search;
-    QStackedWidget* m_pages;
-    QTreeWidget* m_tree;
-    QTreeWidget* m_results;
+    QLineEdit* m_search = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    QTreeWidget* m_tree = nullptr;
+    QTreeWidget* m_results = nullptr;
 };
 
 /// Asks for one variable in a dialog; nothing when it was cancelled.

@@ -66,12 +66,12 @@ private:
     void showReport(const XliffReport& report);
     DesignContext& m_context;
     QUndoStack m_undo;
-    TextModel* m_model;
-    QSortFilterProxyModel* m_proxy;
-    QTableView* m_view;
-    QLineEdit* m_search;
-    QCheckBox* m_incomplete;
-    QLabel* m_users;
+    TextModel* m_model = nullptr;
+    QSortFilterProxyModel* m_proxy = nullptr;
+    QTableView* m_view = nullptr;
+    QLineEdit* m_search = nullptr;
+    QCheckBox* m_incomplete = nullptr;
+    QLabel* m_users = nullptr;
 };
 
 } // namespace plc::hmi
