@@ -299,7 +299,7 @@ void addRepresentation(Table& table) {
     table.push_back(intrinsic("IS_VALID_BCD", {any("IN", Generic::AnyBit)}, Rule::FixedResult, Intrinsic::IsValidBcd,
                               "TRUE if every digit of IN is 0 to 9", Bool));
     for (const std::string_view name : {"TO_BIG_ENDIAN", "FROM_BIG_ENDIAN", "BIG_ENDIAN_TO", "SWAP"})
-        table.push_back(intrinsic(name, {any("IN", Generic::AnyElementary)}, Rule::FirstOperand, Intrinsic::SwapBytes,
+        table.push_back(intrinsic(name, {any("IN", Generic::AnyMagnitude)}, Rule::FirstOperand, Intrinsic::SwapBytes,
                                   "IN with its bytes in reverse order"));
     for (const std::string_view name : {"TO_LITTLE_ENDIAN", "FROM_LITTLE_ENDIAN", "LITTLE_ENDIAN_TO"})
         table.push_back(intrinsic(name, {any("IN", Generic::AnyElementary)}, Rule::FirstOperand, Intrinsic::Move,

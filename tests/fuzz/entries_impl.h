@@ -10,6 +10,7 @@
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/controller/controller.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -53,8 +54,9 @@ inline uint32_t hashOf(std::string_view bytes) {
 /// Decided by the bytes, so that a finding repeats.
 inline bool isOneOf(uint32_t number, std::string_view bytes) { return (hashOf(bytes) >> 7) % number == 0; }
 
-/// Declaring the whole standard library takes longer than checking what is fuzzed: most texts get four blocks of it.
-inline driver::BuildInput inputOf(std::string_view bytes) {
+/// A text with its libraries, which `decidedBy` decides: declaring the whole standard library takes longer than
+/// checking what is fuzzed, so most texts get four blocks of it.
+inline driver::BuildInput inputOf(std::string_view decidedBy, std::string text) {
     static const std::string fewBlocks = R"(
 FUNCTION_BLOCK R_TRIG VAR_INPUT CLK : BOOL; END_VAR VAR_OUTPUT Q : BOOL; END_VAR VAR M : BOOL; END_VAR
 Q := CLK AND NOT M; M := CLK; END_FUNCTION_BLOCK
@@ -67,10 +69,11 @@ VAR since : TIME; END_VAR
 IF NOT IN THEN since := TIME(); END_IF; ET := TIME() - since; Q := IN AND ET >= PT; END_FUNCTION_BLOCK
 )";
     driver::BuildInput input;
-    input.files.push_back({"fuzz.st", std::string(bytes)});
-    if (!isOneOf(16, bytes)) input.libraryTexts.emplace_back("standard/few.st", fewBlocks);
+    input.files.push_back({"fuzz.st", std::move(text)});
+    if (!isOneOf(128, decidedBy)) input.libraryTexts.emplace_back("standard/few.st", fewBlocks);
     return input;
 }
+inline driver::BuildInput inputOf(std::string_view bytes) { return inputOf(bytes, std::string(bytes)); }
 
 inline controller::Settings boundedSettings() {
     controller::Settings settings;
@@ -82,19 +85,37 @@ inline void someScans(controller::Controller& controller) {
     for (int scan = 0; scan < 8 && controller.state() == controller::State::Running; ++scan) controller.scan();
 }
 
-void checkText(std::string_view bytes) {
+/// Code, place and number of what is reported are the same.
+inline bool reportsTheSame(const driver::Checked& a, const driver::Checked& b) {
+    return std::ranges::equal(a.analysis->diagnostics, b.analysis->diagnostics,
+                              [](const diagnostics::Diagnostic& x, const diagnostics::Diagnostic& y) {
+                                  return x.kind == y.kind && x.range == y.range;
+                              });
+}
+
+/// Checked as the editor does, with what was kept of the text before; that is decided by the bytes too, so that a
+/// finding repeats: mostly nothing, now and then a relative.
+inline driver::Checked checkedAfterAnEdit(std::string_view bytes) {
     static driver::KeptFiles kept; // the libraries are read once
-    const driver::Checked checked = driver::check(inputOf(bytes), kept);
-    bool hasErrors = false;
+    (void)driver::check(inputOf(bytes, isOneOf(8, bytes) ? mutateByGrammar(bytes, bytes, hashOf(bytes)) : ""), kept);
+    return driver::check(inputOf(bytes), kept);
+}
+
+Reach checkText(std::string_view bytes) {
+    const driver::Checked checked = checkedAfterAnEdit(bytes);
+    bool hasErrors = false, isRead = true;
     for (const diagnostics::Diagnostic& d : checked.analysis->diagnostics) {
-        hasErrors = hasErrors || d.severity == diagnostics::Severity::Error;
+        if (d.severity == diagnostics::Severity::Error) {
+            hasErrors = true;
+            isRead = isRead && !diagnostics::codeOf(d.kind).starts_with("P1");
+        }
         if (!d.range.file.isValid()) continue;
         promise(d.range.file.index() < checked.sources->files.size());
         promise(d.range.begin <= d.range.end && d.range.end <= (*checked.sources)[d.range.file].text().size());
     }
     promise(hasErrors == checked.analysis->hasErrors);
-    if (isOneOf(32, bytes))
-        promise(driver::check(inputOf(bytes)).analysis->diagnostics.size() == checked.analysis->diagnostics.size());
+    if (isOneOf(16, bytes)) promise(reportsTheSame(checked, driver::check(inputOf(bytes))));
+    return isRead ? Reach::Meant : Reach::Short;
 }
 
 /// What eight scans leave behind.
@@ -140,11 +161,12 @@ inline void promiseSameOptimised(const driver::Built& built, const Ran& quick) {
     promise(holdsTheSame(*built.program, quick.image, optimised.image));
 }
 
-void runText(std::string_view bytes) {
+Reach runText(std::string_view bytes) {
     const driver::Built built = driver::build(inputOf(bytes));
-    if (!built.program) return;
+    if (!built.program) return Reach::Short;
     const Ran quick = ran(built.program);
     if (isOneOf(4, bytes)) promiseSameOptimised(built, quick);
+    return Reach::Meant;
 }
 
 /// A program that is exchanged for itself keeps every value.
@@ -208,11 +230,17 @@ inline void promiseCarried(const Leaves& before, const Leaves& after, const cont
         }
 }
 
-void changeText(std::string_view bytes) {
+/// Mostly with other declarations, which is what moves values; now and then with anything else changed.
+inline std::string relativeOf(std::string_view bytes) {
+    const uint32_t seed = hashOf(bytes);
+    return isOneOf(4, bytes) ? mutateByGrammar(bytes, bytes, seed) : redeclaredByGrammar(bytes, seed);
+}
+
+Reach changeText(std::string_view bytes) {
     const driver::Built first = driver::build(inputOf(bytes));
-    if (!first.program) return;
-    const driver::Built second = driver::build(inputOf(mutateByGrammar(bytes, bytes, hashOf(bytes))));
-    if (!second.program) return;
+    if (!first.program) return Reach::Short;
+    const driver::Built second = driver::build(inputOf(relativeOf(bytes)));
+    if (!second.program) return Reach::Short;
     controller::Controller controller(first.program, boundedSettings());
     controller.start();
     someScans(controller);
@@ -225,6 +253,7 @@ void changeText(std::string_view bytes) {
         someScans(controller);
         promiseKept(controller);
     }
+    return Reach::Meant;
 }
 
 } // namespace plc::fuzz

@@ -6,6 +6,5 @@
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
     static const bool ready = (plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols()), true);
     (void)ready;
-    plc::fuzz::changeText(std::string_view(reinterpret_cast<const char*>(data), size));
-    return 0;
+    return plc::fuzz::verdict(plc::fuzz::changeText(std::string_view(reinterpret_cast<const char*>(data), size)));
 }

@@ -5,6 +5,5 @@
 #include "tests/fuzz/entries_impl.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
-    plc::fuzz::checkText(std::string_view(reinterpret_cast<const char*>(data), size));
-    return 0;
+    return plc::fuzz::verdict(plc::fuzz::checkText(std::string_view(reinterpret_cast<const char*>(data), size)));
 }

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace plc::fuzz {
 
 namespace {
 
-enum class Piece : uint8_t { Declaration, Section, Variable, Type, Statement, Expression, Number, Name, Count };
+enum class Piece : uint8_t { Declaration, Section, Variable, Type, Statement, Expression, Number, Bound, Name, Count };
 constexpr size_t kPieces = static_cast<size_t>(Piece::Count);
 constexpr size_t kLongest = 64 * 1024; // a text that doubles itself stops here
 
@@ -34,11 +35,17 @@ private:
     void add(Piece piece, SourceRange range) {
         if (range.end > range.begin) m_found[static_cast<size_t>(piece)].push_back(range);
     }
+    void addNumber(Piece piece, SourceRange range) {
+        if (isNumber(m_text.substr(range.begin, range.end - range.begin))) add(piece, range);
+    }
+    void bound(const syntax::Expr* expr) {
+        expression(expr);
+        if (expr) addNumber(Piece::Bound, expr->range);
+    }
     void expression(const syntax::Expr* expr) {
         if (!expr) return;
         add(Piece::Expression, expr->range);
-        if (isNumber(m_text.substr(expr->range.begin, expr->range.end - expr->range.begin)))
-            add(Piece::Number, expr->range);
+        addNumber(Piece::Number, expr->range);
         add(Piece::Name, expr->name.range);
         expression(expr->base);
         expression(expr->right);
@@ -54,7 +61,7 @@ private:
         if (!spec) return;
         add(Piece::Type, spec->range);
         expression(spec->length);
-        for (const syntax::Bounds& each : spec->bounds) expression(each.low), expression(each.high);
+        for (const syntax::Bounds& each : spec->bounds) bound(each.low), bound(each.high);
         type(spec->element);
         for (const syntax::EnumeratorDecl& each : spec->enumerators) expression(each.value);
         for (const syntax::VarDecl* each : spec->fields) variable(*each);
@@ -182,11 +189,16 @@ std::string sliceOf(std::string_view text, SourceRange range) {
     return std::string(text.substr(range.begin, range.end - range.begin));
 }
 
-/// A range of a kind that the text has, of the kinds by chance; false: it has none of any.
-bool choose(const Pieces& pieces, Random& random, Piece& kind, SourceRange& range) {
-    const size_t first = random.next(kPieces);
-    for (size_t i = 0; i < kPieces; ++i) {
-        kind = static_cast<Piece>((first + i) % kPieces);
+constexpr Piece kAllPieces[] = {Piece::Declaration, Piece::Section, Piece::Variable, Piece::Type, Piece::Statement,
+                                Piece::Expression,  Piece::Number,  Piece::Bound,    Piece::Name};
+static_assert(std::size(kAllPieces) == kPieces);
+constexpr Piece kDeclaring[] = {Piece::Variable, Piece::Bound, Piece::Type, Piece::Bound};
+
+/// A range of one of the kinds that the text has, of the kinds by chance; false: it has none of any.
+bool choose(const Pieces& pieces, std::span<const Piece> kinds, Random& random, Piece& kind, SourceRange& range) {
+    const size_t first = random.next(kinds.size());
+    for (size_t i = 0; i < kinds.size(); ++i) {
+        kind = kinds[(first + i) % kinds.size()];
         const std::vector<SourceRange>& all = pieces.of(kind);
         if (all.empty()) continue;
         range = all[random.next(all.size())];
@@ -195,14 +207,16 @@ bool choose(const Pieces& pieces, Random& random, Piece& kind, SourceRange& rang
     return false;
 }
 
-std::string changedOnce(const std::string& text, std::string_view donor, const Pieces& lent, Random& random) {
+std::string changedOnce(const std::string& text, std::string_view donor, const Pieces& lent,
+                        std::span<const Piece> kinds, Random& random) {
     const Pieces own(text);
     Piece kind{};
     SourceRange here;
-    if (!choose(own, random, kind, here)) return text + std::string(donor);
+    if (!choose(own, kinds, random, kind, here)) return text + std::string(donor);
     const std::vector<SourceRange>&same = own.of(kind), &others = lent.of(kind);
     const std::string before = text.substr(0, here.begin), piece = sliceOf(text, here), after = text.substr(here.end);
-    if (kind == Piece::Number && random.next(3) > 0) // bounds, ends of loops, lengths: one too many, one too few
+    if ((kind == Piece::Number || kind == Piece::Bound) &&
+        random.next(3) > 0) // bounds, ends of loops, lengths: one too many, one too few
         return before + std::to_string(std::stoll(piece) + (random.next(2) ? 1 : -1)) + after;
     switch (random.next(7)) {
     case 0: // one of the donor's in its place
@@ -233,8 +247,18 @@ std::string mutateByGrammar(std::string_view text, std::string_view donor, uint3
     Random random(seed);
     std::string out(text);
     const Pieces lent(donor);
-    for (size_t changes = 1 + random.next(4); changes > 0 && out.size() < kLongest; --changes)
-        out = changedOnce(out, donor, lent, random);
+    // mostly one: of two, one is usually a mistake
+    for (size_t changes = random.next(2) ? 1 : 1 + random.next(4); changes > 0 && out.size() < kLongest; --changes)
+        out = changedOnce(out, donor, lent, kAllPieces, random);
+    return out;
+}
+
+std::string redeclaredByGrammar(std::string_view text, uint32_t seed) {
+    Random random(seed);
+    std::string out(text);
+    const Pieces lent(text);
+    for (size_t changes = 1 + random.next(3); changes > 0 && out.size() < kLongest; --changes)
+        out = changedOnce(out, text, lent, kDeclaring, random);
     return out;
 }
 

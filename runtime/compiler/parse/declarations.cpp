@@ -233,7 +233,8 @@ void Parser::parseBases(Pou& pou) {
         spec->path = pou.extends.back();
         parseGenericValues(*spec);
         spec->range = rangeFrom(first);
-        if (pou.kind == PouKind::FunctionBlock) pou.result = spec;
+        // EXTENDS <100>: values of nothing.
+        if (pou.kind == PouKind::FunctionBlock && !spec->path.empty()) pou.result = spec;
     } while (take(TokenKind::Comma));
 }
 

@@ -22,12 +22,12 @@ using DK = Denoted::Kind;
 
 // One type for all, so that code has one way to check bounds and no bound of a type is in the way: a[b] with b : USINT
 // and ARRAY[0..1000].
-/// The indices as LINT, unknown where they are no integers.
+/// The indices as LINT, one for each argument; unknown where they are no integers or missing, which the parser
+/// reported.
 static std::vector<Operand> indicesOf(Context& context, const syntax::Expr& e) {
     std::vector<Operand> indices;
     for (const syntax::Argument& argument : e.arguments) {
-        if (!argument.value) continue;
-        Operand index = expression(context, *argument.value);
+        Operand index = argument.value ? expression(context, *argument.value) : unknown(context, argument.range);
         if (!index.isUnknown()) {
             const types::Family family = context.types.family(index.type());
             if (!types::isInteger(family)) {

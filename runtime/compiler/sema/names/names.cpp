@@ -327,9 +327,16 @@ static tree::Place* storedPlace(Context& context, Variable& variable, TypeId typ
     case Storage::Instance:
         return instancePlace(context, variable, type, instance, range, isRead);
     case Storage::Local:
-        if (!context.isExpression) return localPlace(context, variable.local, type, range);
-        context.emit(range, findings::NotAllowedInExpression(variable.name));
-        return nullptr;
+        if (context.isExpression) {
+            context.emit(range, findings::NotAllowedInExpression(variable.name));
+            return nullptr;
+        }
+        // What a function keeps (VAR_STAT, an address) begins before any call, when it has no locals.
+        if (context.function && variable.owner && variable.owner->function != context.functionId) {
+            context.emit(range, findings::NotConstant());
+            return nullptr;
+        }
+        return localPlace(context, variable.local, type, range);
     case Storage::Temporary:
         if (!context.isExpression && !instance)
             return context.function ? localPlace(context, temporaryOf(context, variable), type, range)
