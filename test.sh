@@ -125,7 +125,10 @@ fuzz() { # fuzz target
         ;;
     fuzz_messages) seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts) ;; # whole sessions with other editors
     fuzz_peers) seeds=(tests/fuzz/peers) ;;
-    fuzz_check | fuzz_run | fuzz_change) preset=fuzz ;;
+    fuzz_check | fuzz_run | fuzz_change)
+        preset=fuzz
+        words=(-use_counters=0) # how often a place was passed makes most texts new, and the corpus long
+        ;;
     esac
     with_sanitizers
     exec "build/$preset/bin/$1" "${fuzz_options[@]}" -max_total_time="${FUZZ_SECONDS:-300}" -max_len="$longest" "${words[@]}" \

@@ -86,6 +86,48 @@ TEST_F(FuzzReplay, MutantsByTheGrammarAreCheckedRunAndExchanged) {
     EXPECT_GT(right, 0u) << "mutants that nothing is wrong with reach the code behind the checker";
 }
 
+/// The seeds, findings and goldens, small enough to be checked twice each in a moment.
+std::vector<std::pair<std::string, std::string>> smallTexts() {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const char* folder : {"seeds", "findings"})
+        for (auto& each : texts(folder)) all.push_back(std::move(each));
+    for (const auto& topic : fs::directory_iterator(plc::sourceDir() + "/tests/golden"))
+        if (topic.is_directory())
+            for (auto& each : texts(("../golden/" + topic.path().filename().string()).c_str()))
+                if (each.first.ends_with(".st") && each.second.size() < 4'000) all.push_back(std::move(each));
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST_F(FuzzReplay, WhatWasKeptOfAnyTextBeforeChangesNoDiagnostic) {
+    const char* given = std::getenv("STEPWISE_SEED");
+    const auto first = given ? static_cast<uint32_t>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
+    std::printf("seed %u\n", first);
+    std::fflush(stdout);
+    const bool isLong = std::getenv("STEPWISE_LONG") != nullptr;
+    const auto all = smallTexts();
+    ASSERT_GT(all.size(), 100u);
+    for (uint32_t i = 0; i < (isLong ? 4'000u : 60u) && !HasFailure(); ++i) {
+        std::mt19937 random(first + i);
+        plc::driver::KeptFiles kept;
+        std::string text = all[random() % all.size()].second, before;
+        for (int edit = 0; edit < 12; ++edit) {
+            const auto input = plc::fuzz::inputOf("", text);
+            const plc::driver::Checked edited = plc::driver::check(input, kept);
+            const plc::driver::Checked fresh = plc::driver::check(input);
+            ASSERT_TRUE(plc::fuzz::reportsTheSame(edited, fresh))
+                << "seed " << first + i << ", edit " << edit << "\nthe text before:\n"
+                << before << "\nthe text:\n"
+                << text;
+            before = text;
+            const std::string& other = all[random() % all.size()].second;
+            // mostly an edit, now and then another text, and back
+            text = random() % 6 == 0 ? other : plc::fuzz::mutateByGrammar(text, other, random());
+            if (text.size() > 6'000) text = other;
+        }
+    }
+}
+
 TEST_F(FuzzReplay, SeedsWithRandomTokensDroppedCompileOrComplain) {
     const uint32_t seed = std::random_device{}();
     RecordProperty("seed", static_cast<int>(seed));

@@ -193,6 +193,27 @@ TEST(KeptBodies, WhatABodySaysAboutDeclarationsCounts) {
     }
 }
 
+TEST(KeptBodies, ABodyThatIsEmptiedKeepsNothing) {
+    for (const std::string frame :
+         {"PROGRAM P\nVAR n : INT; END_VAR\n@\nEND_PROGRAM\n",
+          "PROGRAM P\nVAR n : INT; END_VAR\nn := 1;\nEND_PROGRAM\nACTION A: @ END_ACTION\n",
+          "PROGRAM P\nVAR n : INT; END_VAR\nn := 1;\nACTION A:\n@\nEND_ACTION\nEND_PROGRAM\n",
+          "FUNCTION F : INT\nVAR n : INT; END_VAR\n@\nEND_FUNCTION\n",
+          "FUNCTION_BLOCK B\nVAR n : INT; END_VAR\nMETHOD M\n@\nEND_METHOD\nEND_FUNCTION_BLOCK\n",
+          "FUNCTION_BLOCK B\nVAR n : INT; END_VAR\nPROPERTY Q : INT\nGET\n@\nEND_GET\n"
+          "END_PROPERTY\nEND_FUNCTION_BLOCK\n"}) {
+        driver::KeptFiles kept;
+        for (const char* body : {"n := missing;", "", "n := 2;", " ", "(* nothing *)", "n := n + missing;"}) {
+            std::string text = frame;
+            text.replace(text.find('@'), 1, body);
+            SCOPED_TRACE(text);
+            driver::BuildInput input;
+            input.files = {{"src/a.st", text}};
+            EXPECT_EQ(contentsOf(driver::check(input, kept)), contentsOf(driver::check(input)));
+        }
+    }
+}
+
 TEST(KeptBodies, WhatIsBuiltFromAKeptCheckIsWhatIsBuiltFromTheText) {
     driver::BuildInput input = someProject();
     driver::KeptFiles kept;

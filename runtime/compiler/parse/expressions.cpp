@@ -384,7 +384,7 @@ Expr* Parser::parseIndex(Expr* base) {
     e->kind = ExprKind::Index;
     e->base = base;
     if (at(TokenKind::RightBracket)) expected(phrases::AnIndex());
-    parseArguments(e->arguments, TokenKind::RightBracket);
+    parseArguments(e->arguments, TokenKind::RightBracket, LeftOut::Refused);
     return e;
 }
 
@@ -421,7 +421,7 @@ Expr* Parser::parsePostfix(Expr* base) {
 }
 
 /// What stands between the brackets, which are open; takes the closing one.
-void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
+void Parser::parseArguments(std::vector<Argument>& out, TokenKind close, LeftOut leftOut) {
     const Nesting nesting(*this);
     if (nesting.tooDeep) return skipTo({TokenKind::Semicolon});
     bool missingComma = false;
@@ -447,6 +447,8 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
             }
         } else if (!at(TokenKind::Comma)) {
             argument.value = parseExpression();
+        } else if (leftOut == LeftOut::Refused) {
+            expected(phrases::AnIndex());
         }
         argument.range = rangeFrom(first);
         out.push_back(std::move(argument));

@@ -113,7 +113,8 @@ public:
     Expr* parseCondition();
     Expr* parsePlace();
     Expr* parsePrimaryIl();
-    void parseArguments(std::vector<Argument>& out, TokenKind close);
+    enum class LeftOut : uint8_t { Allowed, Refused }; // f(a, , b) and [1, , 3] are, m[1, , 3] is not
+    void parseArguments(std::vector<Argument>& out, TokenKind close, LeftOut leftOut = LeftOut::Allowed);
     Expr* makeName(Name name);
 
     // statements.cpp

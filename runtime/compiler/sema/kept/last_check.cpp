@@ -19,7 +19,10 @@ bool StillValid::isChanged(const Unit& unit) const {
     if (!range.file.isValid() || range.file.index() >= changed.size()) return false;
     const std::vector<bool>& ofFile = changed[range.file.index()];
     if (ofFile.empty()) return false;
-    const auto body = (*shapes)[range.file.index()]->bodyAt(range.begin);
+    const FileShape& shape = *(*shapes)[range.file.index()];
+    auto body = shape.bodyAt(range.begin);
+    // A body without statements may begin where the word behind it does, which is outside.
+    if (!body && range.begin > 0) body = shape.bodyAt(range.begin - 1);
     return body && ofFile[*body];
 }
 

@@ -192,6 +192,9 @@ Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
                                                     : access);
     const std::vector<Operand> indices = indicesOf(context, e);
     if (!becomePlace(context, from, e)) return {};
+    const bool isComplete =
+        !indices.empty() && std::ranges::all_of(e.arguments, [](const auto& argument) { return argument.value; });
+    if (!isComplete) return {}; // reported by the parser
     Denoted out = from;
     // An element has exactly the declared type, unlike what a pointer to it might be.
     out.isExact = true;

@@ -59,6 +59,7 @@ const Row kExpressions[] = {
     {"P2006", "r : REAL;|r := NOT r;", {"P2006 'NOT r'"}, "w : WORD;|w := NOT w;"},
     {"P2006", "r : REAL;|r := r MOD 2.0;", {"P2006 'MOD'"}, "i : INT;|i := i MOD 2;"},
     {"P2006", "s : STRING; i : INT;|i := ABS(s);", {"P2006 's'"}, "i : INT;|i := ABS(i);"},
+    {"P2006", "s : STRING;|s := SWAP(s);", {"P2006 's'"}, "w : WORD;|w := SWAP(w);"},
     {"P2007", "t : TIME; d : DATE;|t := t + d;", {"P2007 '+'"}, "t : TIME; d : DT;|d := d + t;"},
     {"P2007", "s : STRING; i : INT; b : BOOL;|b := s = i;", {"P2007 '='"}, "s : STRING; b : BOOL;|b := s = 'a';"},
     {"P2008", "x : INT;|x();", {"P2008 'x'"}, "x : TON;|x();"},
@@ -114,6 +115,18 @@ const Row kExpressions[] = {
      "x, y : INT;|CASE x OF y: x := 1; END_CASE y := 1;",
      {"P2019 'y'"},
      "x : INT;|CASE x OF 1: x := 1; END_CASE"},
+    {"P2019",
+     "FUNCTION F : INT VAR_INPUT a : INT; END_VAR VAR_STAT s : INT := a; END_VAR F := s; END_FUNCTION "
+     "PROGRAM Main VAR x : INT; END_VAR x := F(1); END_PROGRAM",
+     {"P2019 'a'"},
+     "FUNCTION F : INT VAR_INPUT a : INT; END_VAR VAR s : INT := a; END_VAR F := s; END_FUNCTION "
+     "PROGRAM Main VAR x : INT; END_VAR x := F(1); END_PROGRAM"},
+    {"P2019",
+     "FUNCTION F : INT VAR b AT %MW1 : INT := i; END_VAR VAR i : INT; END_VAR F := b; END_FUNCTION "
+     "PROGRAM Main VAR x : INT; END_VAR x := F(); END_PROGRAM",
+     {"P2019 'i'"},
+     "FUNCTION F : INT VAR b AT %MW1 : INT := 3; END_VAR F := b; END_FUNCTION "
+     "PROGRAM Main VAR x : INT; END_VAR x := F(); END_PROGRAM"},
     {"P2020", "x : INT;|x^ := 5;", {"P2020 'x'"}, "x : REF_TO INT; i : INT;|x := REF(i); x^ := 5;"},
     {"P2021", "x : BYTE;|x.8 := TRUE;", {"P2021 '8'"}, "x : BYTE;|x.7 := TRUE;"},
     {"P2022", "x : INT;|IF x THEN x := 1; END_IF", {"P2022 'x'"}, "x : INT;|IF x > 0 THEN x := 1; END_IF"},
