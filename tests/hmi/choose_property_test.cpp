@@ -59,6 +59,8 @@ TEST(ChooseProperty, TheListStaysOpenOnTheWayToTheLastChoice) {
     EXPECT_EQ(actionOf(studio), chosen);
     EXPECT_EQ(studio.designer->document().undoStack().count(), 1);
     EXPECT_TRUE(studio.designer->sheet().grid().descriptor(QStringLiteral("theme"))) << "the row of the last action";
+    EXPECT_GE(studio.designer->sheet().grid().descriptor(QStringLiteral("theme"))->choices.size(), 4u)
+        << "none and the built-in themes";
     studio.designer->document().undoStack().undo();
     EXPECT_EQ(actionOf(studio).toStdString(), "momentary") << "one step";
 }

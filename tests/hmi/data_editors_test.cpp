@@ -54,6 +54,7 @@ TEST_F(Recipes, ARecipeIsMadeInTheTableAndUndoneByteForByte) {
     type(editor.table(), 0, RecipeEditor::FirstSet, QStringLiteral("12.5"));
     type(editor.table(), 1, RecipeEditor::FirstSet, QStringLiteral("7"));
     editor.addSet();
+    EXPECT_EQ(only().sets[1].name.toStdString(), "set2");
     editor.renameSet(RecipeEditor::FirstSet + 1, QStringLiteral("strong"));
     type(editor.table(), 0, RecipeEditor::FirstSet + 1, QStringLiteral("80.0"));
     ASSERT_EQ(only().variables.size(), 2u);

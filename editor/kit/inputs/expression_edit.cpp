@@ -182,6 +182,12 @@ void ExpressionEdit::keyPressEvent(QKeyEvent* event) {
     QLineEdit::keyPressEvent(event);
 }
 
+bool ExpressionEdit::focusNextPrevChild(bool next) {
+    // Qt asks this before it passes Tab on as a key; without it Tab would leave the field with half a word in it.
+    if (next && isCompletionShown()) return false;
+    return QLineEdit::focusNextPrevChild(next);
+}
+
 void ExpressionEdit::focusInEvent(QFocusEvent* event) {
     m_completer->setWidget(this);
     QLineEdit::focusInEvent(event);

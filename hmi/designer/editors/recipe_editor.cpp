@@ -14,6 +14,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QToolBar>
@@ -183,7 +184,12 @@ void RecipeEditor::addVariable(const QString& path) {
 void RecipeEditor::addSet() {
     edit(tr("Add a Set"), [](Recipe& recipe) {
         RecipeSet set = recipe.sets.empty() ? RecipeSet() : recipe.sets.back(); // a new kind is often nearly an old one
-        set.name = recipe.sets.empty() ? QStringLiteral("set1") : recipe.freeName(set.name);
+        static const QRegularExpression given(
+            QStringLiteral("^set\\d+$")); // by us: counted on, not "set12" after "set1"
+        if (recipe.sets.empty())
+            set.name = QStringLiteral("set1");
+        else
+            set.name = recipe.freeName(given.match(set.name).hasMatch() ? QStringLiteral("set") : set.name);
         recipe.sets.push_back(std::move(set));
     });
 }

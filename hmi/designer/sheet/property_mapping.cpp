@@ -44,6 +44,13 @@ void stringRow(kit::PropertyDescriptor& row, const PropertyDescriptor& property,
         row.kind = kit::PropertyKind::Enumeration;
         row.choices.push_back({QString(), Hmi::tr("none"), {}});
         for (const Recipe& one : context.project().recipes.recipes()) row.choices.push_back({one.name, one.name, {}});
+    } else if (property.key == "theme") { // of a button: what the panel's own Theme offers, too
+        row.kind = kit::PropertyKind::Enumeration;
+        row.choices.push_back({QString(), Hmi::tr("none"), {}});
+        const PanelThemes& themes = context.project().themes;
+        for (const QString& name : themes.names())
+            row.choices.push_back(
+                {name, themes.own().count(name) ? name : choiceTitle(property.key, name.toStdString()), {}});
     }
 }
 

@@ -363,6 +363,27 @@ TEST(ExpressionEdit, CompletesTheWordAtTheCursorAndKeepsTheRest) {
     EXPECT_EQ(edit.complaint(), "unexpected ?");
 }
 
+TEST(ExpressionEdit, TabTakesTheCompletionAndThenMovesOn) {
+    QWidget window;
+    auto* edit = new ExpressionEdit(&window);
+    auto* next = new QLineEdit(&window);
+    edit->setCompletionSource([](const QString& text, int cursor) {
+        std::vector<Completion> result;
+        if (text.left(cursor).endsWith("m1.run")) result.push_back({"running", "BOOL"});
+        return result;
+    });
+    window.show();
+    edit->setFocus();
+    QTest::keyClicks(edit, "Main.m1.run");
+    ASSERT_TRUE(edit->isCompletionShown());
+    QTest::keyClick(edit, Qt::Key_Tab);
+    EXPECT_EQ(edit->text(), "Main.m1.running");
+    EXPECT_FALSE(edit->isCompletionShown());
+    EXPECT_EQ(window.focusWidget(), edit);
+    QTest::keyClick(edit, Qt::Key_Tab);
+    EXPECT_EQ(window.focusWidget(), next);
+}
+
 TEST(ExpressionEdit, EnterOnANameThatIsCompleteEnds) {
     ExpressionEdit edit;
     edit.setCompletionSource([](const QString&, int) {
