@@ -2919,8 +2919,8 @@
         <translation>{0} dækker en del af det; flyt et af de to</translation>
     </message>
     <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
-        <translation>Ingen knap, navigationslinje eller alarm fører til panelet {0}; tilføj en af dem</translation>
+        <source>Nothing leads from the start panel {1} to the panel {0}; add a button, a navigation bar or an alarm, or choose another start panel</source>
+        <translation>Intet fører fra startpanelet {1} til panelet {0}; tilføj en knap, en navigationslinje eller en alarm, eller vælg et andet startpanel</translation>
     </message>
     <message>
         <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
@@ -7763,9 +7763,9 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-To draw one, right-click Panels in the project tree and choose New….</source>
+To draw one, right-click Panels in the project tree and choose New.</source>
         <translation>Projektet har endnu intet panel.
-Højreklik på Paneler i projekttræet, og vælg Ny… for at tegne et.</translation>
+Højreklik på Paneler i projekttræet, og vælg Ny for at tegne et.</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

@@ -2919,8 +2919,8 @@
         <translation>{0} verdeckt einen Teil davon; verschieben Sie eines der beiden</translation>
     </message>
     <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
-        <translation>Keine Schaltfläche, Navigationsleiste und kein Alarm führt zum Panel {0}; fügen Sie eines davon hinzu</translation>
+        <source>Nothing leads from the start panel {1} to the panel {0}; add a button, a navigation bar or an alarm, or choose another start panel</source>
+        <translation>Vom Startpanel {1} führt nichts zum Panel {0}; fügen Sie eine Schaltfläche, eine Navigationsleiste oder einen Alarm hinzu, oder wählen Sie ein anderes Startpanel</translation>
     </message>
     <message>
         <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
@@ -7763,9 +7763,9 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-To draw one, right-click Panels in the project tree and choose New….</source>
+To draw one, right-click Panels in the project tree and choose New.</source>
         <translation>Dieses Projekt hat noch kein Panel.
-Um eines zu zeichnen, klicken Sie im Projektbaum mit der rechten Maustaste auf Panels und wählen Neu….</translation>
+Um eines zu zeichnen, klicken Sie im Projektbaum mit der rechten Maustaste auf Panels und wählen Neu.</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

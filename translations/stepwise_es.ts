@@ -2919,8 +2919,8 @@
         <translation>{0} cubre una parte; mueva uno de los dos</translation>
     </message>
     <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
-        <translation>Ningún botón, barra de navegación ni alarma lleva al panel {0}; añada uno de ellos</translation>
+        <source>Nothing leads from the start panel {1} to the panel {0}; add a button, a navigation bar or an alarm, or choose another start panel</source>
+        <translation>Nada lleva del panel inicial {1} al panel {0}; añada un botón, una barra de navegación o una alarma, o elija otro panel inicial</translation>
     </message>
     <message>
         <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
@@ -7763,9 +7763,9 @@ No conservados: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-To draw one, right-click Panels in the project tree and choose New….</source>
+To draw one, right-click Panels in the project tree and choose New.</source>
         <translation>Este proyecto aún no tiene paneles.
-Para dibujar uno, haga clic derecho en Paneles en el árbol del proyecto y elija Nuevo….</translation>
+Para dibujar uno, haga clic derecho en Paneles en el árbol del proyecto y elija Nuevo.</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

@@ -2919,8 +2919,8 @@
         <translation>{0} en couvre une partie&#x202f;; déplacez l’un des deux</translation>
     </message>
     <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
-        <translation>Aucun bouton, aucune barre de navigation ni alarme ne mène à la vue {0}&#x202f;; ajoutez l’un d’eux</translation>
+        <source>Nothing leads from the start panel {1} to the panel {0}; add a button, a navigation bar or an alarm, or choose another start panel</source>
+        <translation>Rien ne mène de la vue de départ {1} à la vue {0}&#x202f;; ajoutez un bouton, une barre de navigation ou une alarme, ou choisissez une autre vue de départ</translation>
     </message>
     <message>
         <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
@@ -7763,9 +7763,9 @@ Non conservés&#xa0;: %3</translation>
     </message>
     <message>
         <source>This project has no panel yet.
-To draw one, right-click Panels in the project tree and choose New….</source>
+To draw one, right-click Panels in the project tree and choose New.</source>
         <translation>Ce projet n’a pas encore de vue.
-Pour en dessiner une, cliquez avec le bouton droit sur Vues dans l’arborescence du projet et choisissez Nouveau….</translation>
+Pour en dessiner une, cliquez avec le bouton droit sur Vues dans l’arborescence du projet et choisissez Nouveau.</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

@@ -2919,8 +2919,8 @@
         <translation>{0} 遮住了它的一部分；请移动其中之一</translation>
     </message>
     <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
-        <translation>没有按钮、导航栏或报警通向画面 {0}；请添加其中之一</translation>
+        <source>Nothing leads from the start panel {1} to the panel {0}; add a button, a navigation bar or an alarm, or choose another start panel</source>
+        <translation>从起始画面 {1} 无法到达画面 {0}；请添加按钮、导航栏或报警，或选择其他起始画面</translation>
     </message>
     <message>
         <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
@@ -7757,9 +7757,9 @@ Not kept: %3</source>
     </message>
     <message>
         <source>This project has no panel yet.
-To draw one, right-click Panels in the project tree and choose New….</source>
+To draw one, right-click Panels in the project tree and choose New.</source>
         <translation>此项目尚无画面。
-要绘制画面，请在项目树中右键单击“画面”，然后选择“新建…”。</translation>
+要绘制画面，请在项目树中右键单击“画面”，然后选择“新建”。</translation>
     </message>
     <message>
         <source>No panel can be read: %1.

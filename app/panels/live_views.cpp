@@ -7,6 +7,7 @@
 #include "editor/workspace/path_completion.h"
 #include "hmi/alarms/alarm_export.h"
 #include "hmi/check/unread_panels.h"
+#include "hmi/model/json.h"
 #include "hmi/texts/language_tags.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -33,7 +34,7 @@ void sayWhyEmpty(QWidget& place, const hmi::PanelProject& project) {
         label->setText(
             unread.isEmpty()
                 ? LiveViews::tr("This project has no panel yet.\nTo draw one, right-click Panels in the project tree "
-                                "and choose New….")
+                                "and choose New.")
                 : LiveViews::tr("No panel can be read: %1.\nProblems says what is wrong; a double click "
                                 "there opens the file as text.")
                       .arg(unread.join(QStringLiteral(", "))));
@@ -385,6 +386,7 @@ Result<void> LiveViews::addPanel(const QString& name) {
     if (m_panels->find(name)) return Error{errors::PanelNameInUse(), name.toStdString()};
     QDir().mkpath(m_workspace.folder() + "/hmi");
     if (auto saved = hmi::savePanel(*m_panels, {name, {}}); !saved) return saved;
+    if (auto kept = keepStartPanel(name); !kept) return kept;
     if (auto read = m_workspace.rereadProject(); !read) return read;
     if (!m_design || m_panels->panels.empty()) { // the first panel: texts and languages come into being with it
         reloadPanels();
@@ -399,6 +401,17 @@ Result<void> LiveViews::addPanel(const QString& name) {
     if (m_player) m_player->projectChanged();
     emit panelsChanged();
     return {};
+}
+
+/// Unless the project says otherwise, the first panel by name is shown at the start. One that is added does not take
+/// its place.
+Result<void> LiveViews::keepStartPanel(const QString& added) {
+    const projects::Project& project = m_workspace.project();
+    const QString& start = m_panels->startPanel;
+    if (!project.startPanel.empty() || start.isEmpty() || start < added) return {};
+    nlohmann::ordered_json json = project.json;
+    json["hmi"]["startPanel"] = hmi::toUtf8(start);
+    return m_workspace.saveProjectFile(json);
 }
 
 void LiveViews::listPanels() {

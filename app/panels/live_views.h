@@ -89,6 +89,7 @@ private:
     void connectDesign();
     void makePlayer();
     void exportAlarms();
+    Result<void> keepStartPanel(const QString& added);
     void listPanels();
     void panelsTaken();
     void connectPlayer();

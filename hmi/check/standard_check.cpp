@@ -133,7 +133,8 @@ private:
             if (isFaceplate(one.panel) || one.name == m_input.frame) continue;
             constexpr int Most = 3;
             if (!presses.contains(one.name)) { // then nobody needs a way back yet
-                add(StandardRule::TooManyPresses, one.name, {}, {}, errors::PanelNotReached(toUtf8(one.name)));
+                add(StandardRule::TooManyPresses, one.name, {}, {},
+                    errors::PanelNotReached(toUtf8(one.name), toUtf8(m_input.startPanel)));
                 continue;
             }
             if (presses.value(one.name) > Most)

@@ -69,6 +69,17 @@ TEST_F(PerspectivesTest, DrawingPanelsHasTheRoomOnASmallScreen) {
     EXPECT_TRUE(waitFor([&] { return designer->canvas().height() > 380; })) << designer->canvas().height();
 }
 
+TEST_F(PerspectivesTest, APanelThatIsAddedDoesNotTakeThePlaceOfTheStartPanel) {
+    ASSERT_TRUE(window->live().addPanel("overview"));
+    EXPECT_EQ(window->workspace().project().startPanel, "") << "nothing is written while there is no other";
+    ASSERT_TRUE(window->live().addPanel("process"));
+    EXPECT_EQ(window->workspace().project().startPanel, "") << "overview is the first by name";
+    ASSERT_TRUE(window->live().addPanel("detail"));
+    EXPECT_EQ(window->workspace().project().startPanel, "overview");
+    ASSERT_TRUE(window->live().addPanel("alarms"));
+    EXPECT_EQ(window->workspace().project().startPanel, "overview");
+}
+
 TEST_F(PerspectivesTest, TheWindowFitsIntoASmallScreen) {
     window->resize(1024, 700);
     EXPECT_TRUE(waitFor([&] { return window->width() <= 1024 && window->height() <= 700; }))

@@ -34,6 +34,22 @@ TEST(DesignComfort, WhatDoesNotFitOrIsMeantToBeNewBecomesANewElement) {
     EXPECT_EQ(studio.panel().elements().size(), 4u) << "Shift asks for an element that operates";
 }
 
+TEST(DesignComfort, WhatIsDroppedOnATrendBecomesACurveOfIt) {
+    Studio studio(R"({"id":"t","kind":"trend","rect":[100,100,400,200]})");
+    const std::string before = studio.panel().write();
+    studio.dropVariable("Main.level", 300, 200);
+    studio.dropVariable("Main.level", 300, 200);
+    EXPECT_EQ(studio.panel().elements().size(), 1u);
+    EXPECT_EQ(studio.panel().find("t")->at("series"),
+              Json::parse(R"([{"value": "Main.level"}, {"value": "Main.level"}])"));
+    EXPECT_TRUE(studio.designer->selection().contains("t"));
+    studio.designer->document().undoStack().undo();
+    studio.designer->document().undoStack().undo();
+    EXPECT_EQ(studio.panel().write(), before);
+    studio.dropVariable("Main.level", 300, 200, Qt::ShiftModifier);
+    EXPECT_EQ(studio.panel().elements().size(), 2u) << "Shift asks for an element that operates";
+}
+
 TEST(DesignComfort, ABlockDroppedOnThePanelBecomesItsFaceplateOrIsRefusedWithAReason) {
     Studio studio(kTwo);
     QString said;

@@ -240,18 +240,20 @@ void PropertyGrid::editProperty(const QString& id) {
     }
 }
 
+/// A press on a heading folds it: without an arrow its rows would seem to be missing.
+void PropertyGrid::drawArrow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& heading) const {
+    QStyleOptionViewItem arrow = option;
+    const QRect atEnd(option.rect.right() - 20, option.rect.top(), 16, option.rect.height());
+    arrow.rect = QStyle::visualRect(layoutDirection(), option.rect, atEnd);
+    arrow.state = QStyle::State_Enabled | QStyle::State_Children;
+    if (isExpanded(heading)) arrow.state |= QStyle::State_Open;
+    style()->drawPrimitive(QStyle::PE_IndicatorBranch, &arrow, painter, this);
+}
+
 void PropertyGrid::drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     if (!index.parent().isValid()) painter->fillRect(option.rect, colors().window);
     QTreeWidget::drawRow(painter, option, index);
-    if (!index.parent()
-             .isValid()) { // a press on a heading folds it: without an arrow its rows would seem to be missing
-        QStyleOptionViewItem arrow = option;
-        const QRect atEnd(option.rect.right() - 20, option.rect.top(), 16, option.rect.height());
-        arrow.rect = QStyle::visualRect(layoutDirection(), option.rect, atEnd);
-        arrow.state = QStyle::State_Enabled | QStyle::State_Children;
-        if (isExpanded(index)) arrow.state |= QStyle::State_Open;
-        style()->drawPrimitive(QStyle::PE_IndicatorBranch, &arrow, painter, this);
-    }
+    if (!index.parent().isValid()) drawArrow(painter, option, index);
     painter->save();
     painter->setPen(colors().divider);
     painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());

@@ -111,6 +111,7 @@ private:
     Entry* entry(const QString& id);
     const Entry* entry(const QString& id) const;
     Entry* entryOf(const QTreeWidgetItem* item);
+    void drawArrow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& heading) const;
     void showValue(Entry& entry);
     /// Names are read whole, as long as they leave room for the values and nobody has moved the divider.
     void fitNames();

@@ -78,6 +78,9 @@ private:
     QStringList droppedVariables(const QMimeData* mime) const;
     /// The element under the place and the property of it that takes the variable; none: a new element is made.
     std::pair<ElementId, std::string> bindingUnder(QPointF at, const QStringList& variables) const;
+    /// The trend chart under the place, if all variables can be curves of it.
+    ElementId trendUnder(QPointF at, const QStringList& variables) const;
+    void addCurves(const ElementId& trend, const QStringList& variables);
     enum class Mode { Idle, Press, Move, Resize, Band, Point, Pan };
     struct Drag {
         Mode mode = Mode::Idle;

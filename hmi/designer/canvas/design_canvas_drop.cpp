@@ -16,6 +16,7 @@
 #include <QDragEnterEvent>
 #include <QMimeData>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plc::hmi {
@@ -52,7 +53,8 @@ void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
     rect.moveTopLeft(onPanel(rect).topLeft());
     const bool isNew = event->modifiers() & Qt::ShiftModifier; // an element that operates
     const QStringList variables = isNew ? QStringList() : droppedVariables(event->mimeData());
-    if (const ElementId bound = bindingUnder(at, variables).first; !bound.isEmpty()) {
+    const ElementId trend = trendUnder(at, variables);
+    if (const ElementId bound = trend.isEmpty() ? bindingUnder(at, variables).first : trend; !bound.isEmpty()) {
         rect = m_document.panel().find(bound)->rect(); // that is what the drop changes
         m_guides.clear();
     }
@@ -77,6 +79,25 @@ std::pair<ElementId, std::string> DesignCanvas::bindingUnder(QPointF at, const Q
     return {};
 }
 
+ElementId DesignCanvas::trendUnder(QPointF at, const QStringList& variables) const {
+    const ElementId id = variables.isEmpty() ? ElementId() : elementAt(at, true);
+    const Element* element = m_document.panel().find(id);
+    if (!element || element->kind() != ElementKind::TrendChart || element->isSet("locked"_flag)) return {};
+    const PanelVariables known(m_context, m_document);
+    const bool areCurves = std::ranges::all_of(variables, [&](const QString& path) {
+        return structureType(path, known).isEmpty() && known.complaint(path, "number", false).isEmpty();
+    });
+    return areCurves ? id : ElementId();
+}
+
+void DesignCanvas::addCurves(const ElementId& trend, const QStringList& variables) {
+    Json curves = m_document.panel().find(trend)->at("series");
+    if (!curves.is_array()) curves = Json::array();
+    for (const QString& path : variables) curves.push_back(Json{{"value", toUtf8(path)}});
+    m_document.perform(tr("Bind"), hmi::setProperty(m_document.panel(), trend, "series", std::move(curves)));
+    m_selection.set({trend});
+}
+
 void DesignCanvas::dragLeaveEvent(QDragLeaveEvent*) {
     m_dropRect.reset();
     m_guides.clear();
@@ -86,13 +107,17 @@ void DesignCanvas::dragLeaveEvent(QDragLeaveEvent*) {
 void DesignCanvas::dropEvent(QDropEvent* event) {
     const QStringList variables = droppedVariables(event->mimeData());
     const bool isNew = event->modifiers() & Qt::ShiftModifier;
-    const auto [bound, property] = bindingUnder(toPanel(event->position()), isNew ? QStringList() : variables);
+    const QStringList bindable = isNew ? QStringList() : variables;
+    const ElementId trend = trendUnder(toPanel(event->position()), bindable);
+    const auto [bound, property] = bindingUnder(toPanel(event->position()), bindable);
     const QPointF at = m_dropRect ? m_dropRect->center() : toPanel(event->position());
     m_dropRect.reset();
     m_guides.clear();
     if (event->mimeData()->hasFormat(kElementMime)) {
         const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
         if (list.is_array()) insertElements(list, at);
+    } else if (!trend.isEmpty()) {
+        addCurves(trend, variables);
     } else if (!bound.isEmpty()) {
         m_document.perform(tr("Bind"),
                            hmi::setProperty(m_document.panel(), bound, property, toUtf8(variables.front())));

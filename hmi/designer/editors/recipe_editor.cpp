@@ -14,7 +14,6 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
-#include <QRegularExpression>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QToolBar>
@@ -181,15 +180,22 @@ void RecipeEditor::addVariable(const QString& path) {
     });
 }
 
+namespace {
+/// "set1" is a name given here: "set2" follows it, not "set12".
+bool isCounted(const QString& name) {
+    bool isNumber = false;
+    if (name.startsWith(QStringLiteral("set"))) name.mid(3).toUInt(&isNumber);
+    return isNumber;
+}
+} // namespace
+
 void RecipeEditor::addSet() {
     edit(tr("Add a Set"), [](Recipe& recipe) {
         RecipeSet set = recipe.sets.empty() ? RecipeSet() : recipe.sets.back(); // a new kind is often nearly an old one
-        static const QRegularExpression given(
-            QStringLiteral("^set\\d+$")); // by us: counted on, not "set12" after "set1"
         if (recipe.sets.empty())
             set.name = QStringLiteral("set1");
         else
-            set.name = recipe.freeName(given.match(set.name).hasMatch() ? QStringLiteral("set") : set.name);
+            set.name = recipe.freeName(isCounted(set.name) ? QStringLiteral("set") : set.name);
         recipe.sets.push_back(std::move(set));
     });
 }
