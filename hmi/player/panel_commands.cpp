@@ -127,7 +127,13 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
             QCryptographicHash::hash(project.folder.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
         (void)player.keepAlarmsIn(folder + u'/' + QString::fromLatin1(name) + QStringLiteral(".sqlite"));
     }
-    player.setWindowTitle(project.texts.text(player.scene().panel().text("title"_text), player.language()));
+    const auto showTitle = [&] {
+        const QString title = project.texts.text(player.scene().panel().text("title"_text), player.language());
+        player.setWindowTitle(title.isEmpty() ? QDir(QDir(project.folder).absolutePath()).dirName() : title);
+    };
+    QObject::connect(&player, &PanelPlayer::panelChanged, &player, showTitle);
+    QObject::connect(&player, &PanelPlayer::languageChanged, &player, showTitle);
+    showTitle();
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
     player.keepLanguageInProject();
     if (fullScreen)

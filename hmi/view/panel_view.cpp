@@ -52,6 +52,13 @@ QSize PanelView::sizeHint() const {
 
 QRegion PanelView::frame() {
     const QRegion changed = m_scene.refresh(m_clock.elapsed());
+    // A panel of another size or theme leaves some of the one before beside it.
+    if (panelRect() != m_paintedArea || surround() != m_paintedSurround) {
+        m_paintedArea = panelRect();
+        m_paintedSurround = surround();
+        update();
+        return changed;
+    }
     if (changed.isEmpty()) return changed;
     if (zoom() == 1) {
         update(changed.translated(origin().toPoint()));
@@ -68,6 +75,16 @@ QRegion PanelView::frame() {
     return changed;
 }
 
+QColor PanelView::surround() const {
+    const PanelTheme& theme = m_scene.theme();
+    const QRectF area = panelRect();
+    // A pixel or two beside a panel that fills the view come from rounding: they belong to its ground.
+    if (width() - area.width() >= 4 || height() - area.height() >= 4)
+        return theme.color("background").darker(theme.isDark() ? 130 : 108);
+    const QColor own = theme.color(m_scene.panel().text("background"));
+    return own.isValid() ? own : theme.color("background");
+}
+
 void PanelView::paintEvent(QPaintEvent* event) {
     ++m_painted;
     QPainter painter(this);
@@ -76,13 +93,7 @@ void PanelView::paintEvent(QPaintEvent* event) {
     const QRect covered(
         QPoint(static_cast<int>(std::ceil(area.left())), static_cast<int>(std::ceil(area.top()))),
         QPoint(static_cast<int>(std::floor(area.right())) - 1, static_cast<int>(std::floor(area.bottom())) - 1));
-    // A pixel or two beside a panel that fills the view come from rounding: they belong to its ground.
-    const PanelTheme& theme = m_scene.theme();
-    const QColor own = theme.color(m_scene.panel().text("background"));
-    const QColor ground = own.isValid() ? own : theme.color("background");
-    const bool isFilled = width() - area.width() < 4 && height() - area.height() < 4;
-    for (const QRect& rect : event->region() - covered)
-        painter.fillRect(rect, isFilled ? ground : theme.color("background").darker(theme.isDark() ? 130 : 108));
+    for (const QRect& rect : event->region() - covered) painter.fillRect(rect, surround());
     const QRegion inside = event->region() & area.toAlignedRect();
     if (inside.isEmpty()) return;
     painter.translate(area.topLeft());

@@ -45,6 +45,8 @@ protected:
 
 private:
     QPointF origin() const;
+    /// What lies beside the panel.
+    QColor surround() const;
     void letGo();
     PanelScene m_scene{makeElementView};
     QTimer m_timer;
@@ -53,6 +55,8 @@ private:
     double m_zoom = 1;
     QPointF m_lastPoint;
     int m_painted = 0;
+    QRectF m_paintedArea; // of the panel, when all was painted the last time
+    QColor m_paintedSurround;
 };
 
 } // namespace plc::hmi

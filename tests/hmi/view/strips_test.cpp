@@ -1,6 +1,10 @@
 // A panel in a window of any size covers every pixel of it: nothing of what was there before is left in a strip.
 #include "hmi/view/panel_view.h"
 
+#include <QApplication>
+#include <QPaintEvent>
+#include <QtTest>
+
 #include <gtest/gtest.h>
 
 namespace plc::hmi {
@@ -25,6 +29,40 @@ TEST(PanelView, CoversEveryPixelAtEverySize) {
             }
         EXPECT_EQ(left, 0) << size.width() << " x " << size.height();
     }
+}
+
+/// What a widget was asked to paint.
+class Painted : public QObject {
+public:
+    explicit Painted(QWidget& of) { of.installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Paint) region += static_cast<QPaintEvent*>(event)->region();
+        return false;
+    }
+    QRegion region;
+};
+
+TEST(PanelView, APanelOfAnotherSizeOrThemeLeavesNothingOfTheOneBefore) {
+    PanelView view;
+    view.resize(800, 480);
+    view.scene().setPanel(*Panel::parse(R"({"size":[800,480],"elements":[]})", QString()));
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    view.frame();
+    QApplication::processEvents();
+    for (const char* next :
+         {R"({"size":[300,480],"elements":[]})", R"({"size":[300,480],"theme":"dark","elements":[]})",
+          R"({"size":[800,200],"theme":"dark","elements":[]})"}) {
+        Painted painted(view);
+        view.scene().setPanel(*Panel::parse(next, QString()));
+        view.frame();
+        QApplication::processEvents();
+        EXPECT_TRUE((QRegion(view.rect()) - painted.region).isEmpty()) << next;
+    }
+    Painted again(view);
+    view.frame();
+    QApplication::processEvents();
+    EXPECT_TRUE(again.region.isEmpty()) << "nothing changed";
 }
 
 } // namespace
