@@ -32,6 +32,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace plc::hmi {
 
 namespace {
@@ -344,8 +346,15 @@ void PanelDesigner::showFindings() {
                                           placeOf(finding), finding.language});
         item->setIcon(0, kit::icon(finding.isError ? kit::Icon::Error : kit::Icon::Warning));
         item->setData(0, Qt::UserRole, finding.element);
-        item->setToolTip(0, kit::messageText(finding.why));
+        const QString why = kit::messageText(finding.why);
+        item->setToolTip(0, kit::messageText(finding.message) + (why.isEmpty() ? why : QStringLiteral("\n\n") + why));
     }
+    // A column that no issue needs leaves its room to the sentences.
+    const auto isEmpty = [&](auto text) {
+        return std::ranges::all_of(m_findings, [&](const Finding& finding) { return text(finding).isEmpty(); });
+    };
+    m_findingList->setColumnHidden(1, isEmpty(placeOf));
+    m_findingList->setColumnHidden(2, isEmpty([](const Finding& finding) { return finding.language; }));
     m_findingList->resizeColumnToContents(1);
 }
 

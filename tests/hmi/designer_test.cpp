@@ -403,6 +403,18 @@ TEST(Designer, ThePaletteFindsElementsByWhatTheyAreCalledElsewhere) {
     for (const QString& title : all) EXPECT_EQ(all.count(title), 1) << title.toStdString() << " names two elements";
 }
 
+TEST(Designer, EnterInTheSearchPutsInTheElementWhoseTitleFitsBest) {
+    Palette palette;
+    Json chosen;
+    QObject::connect(&palette, &Palette::elementChosen, [&](const Json& fields) { chosen = fields; });
+    auto* search = palette.findChild<QLineEdit*>();
+    ASSERT_TRUE(search);
+    QTest::keyClicks(search, QStringLiteral("recipe"));
+    EXPECT_GT(palette.shownTitles().size(), 1) << "a table is for recipes, too, and comes before them";
+    QTest::keyClick(search, Qt::Key_Return);
+    EXPECT_EQ(Element(chosen).kind(), ElementKind::RecipeTable);
+}
+
 TEST(Designer, TheOutlineShowsTheTreeAndSelectsBothWays) {
     Studio studio(
         R"({"id":"g","kind":"group","rect":[90,90,300,200]},{"id":"a","kind":"lamp","parent":"g","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[500,100,50,50]})");

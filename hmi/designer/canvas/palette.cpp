@@ -134,10 +134,13 @@ Palette::Palette(QWidget* parent) : QWidget(parent), m_search(new QLineEdit), m_
             add(kind.category, symbolTitle(symbol), words + u' ' + symbol, newElementFields(kind.kind, symbol));
     }
     connect(m_search, &QLineEdit::textChanged, this, &Palette::setFilter);
-    connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-        const QByteArray fields = item->data(0, kFieldsRole).toByteArray();
-        if (!fields.isEmpty()) emit elementChosen(Json::parse(fields.toStdString()));
-    });
+    connect(m_search, &QLineEdit::returnPressed, this, [this] { choose(m_tree->currentItem()); });
+    connect(m_tree, &QTreeWidget::itemActivated, this, &Palette::choose);
+}
+
+void Palette::choose(const QTreeWidgetItem* item) {
+    const QByteArray fields = item ? item->data(0, kFieldsRole).toByteArray() : QByteArray();
+    if (!fields.isEmpty()) emit elementChosen(Json::parse(fields.toStdString()));
 }
 
 QTreeWidgetItem* Palette::addGroup(const QString& title) {
@@ -174,23 +177,37 @@ void Palette::setFaceplates(const std::vector<NamedPanel>& panels) {
     setFilter(m_search->text());
 }
 
+namespace {
+/// How well an element fits what is looked for, 0 not at all: its title counts more than the words that describe it.
+int fitOf(const QTreeWidgetItem& item, const QString& wanted) {
+    const QString title = item.text(0);
+    if (title.startsWith(wanted, Qt::CaseInsensitive)) return 3;
+    if (title.contains(wanted, Qt::CaseInsensitive)) return 2;
+    return item.data(0, kWordsRole).toString().contains(wanted, Qt::CaseInsensitive) ? 1 : 0;
+}
+} // namespace
+
 void Palette::setFilter(const QString& text) {
     if (m_search->text() != text) {
         m_search->setText(text);
         return;
     }
+    const QString wanted = text.trimmed();
+    QTreeWidgetItem* best = nullptr;
+    int bestFit = 0;
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         QTreeWidgetItem* group = m_tree->topLevelItem(i);
         bool any = false;
         for (int j = 0; j < group->childCount(); ++j) {
-            const bool fits =
-                group->child(j)->data(0, kWordsRole).toString().contains(text.trimmed(), Qt::CaseInsensitive);
-            group->child(j)->setHidden(!fits);
-            any |= fits;
+            const int fit = fitOf(*group->child(j), wanted);
+            group->child(j)->setHidden(fit == 0);
+            any |= fit > 0;
+            if (fit > bestFit) best = group->child(j), bestFit = fit;
         }
         group->setHidden(!any);
         if (any) group->setExpanded(true);
     }
+    m_tree->setCurrentItem(wanted.isEmpty() ? nullptr : best); // Enter puts it in
 }
 
 QStringList Palette::shownTitles() const {

@@ -24,10 +24,11 @@ public:
     QTreeWidget& tree() { return *m_tree; }
 
 signals:
-    /// A double click or Enter.
+    /// A double click or Enter, in the search too: there it is the one whose title fits best.
     void elementChosen(const plc::hmi::Json& fields);
 
 private:
+    void choose(const QTreeWidgetItem* item);
     QTreeWidgetItem* addGroup(const QString& title);
     void addItem(QTreeWidgetItem* group, const QString& title, const QString& words, const Json& fields,
                  const QIcon& icon);
