@@ -1,6 +1,7 @@
 #include "app/documents/file_commands.h"
 
 #include "editor/kit/message_text.h"
+#include "editor/kit/trash.h"
 #include "editor/trace/setup/trace_setup.h"
 #include "projects/storage/project_file.h"
 
@@ -153,7 +154,7 @@ void FileCommands::remove(const QString& kind, const QString& name) {
     if (kind == "panel" && !m_parts.designs.closeAll()) return;
     const QString path = pathOf(kind, name);
     const bool isShown = kind == "trace" && isShownTrace(path);
-    if (!QFile::moveToTrash(path) && !QFile::remove(path))
+    if (!kit::removeToTrash(path))
         return emit message(tr("The file cannot be removed; check the permissions of the folder"), true);
     if (!report(m_parts.workspace.rereadProject())) return;
     if (kind == "panel")

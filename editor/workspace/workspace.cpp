@@ -1,6 +1,7 @@
 #include "editor/workspace/workspace.h"
 
 #include "editor/kit/post.h"
+#include "editor/kit/trash.h"
 #include "editor/workspace/project_gone.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -216,8 +217,7 @@ Result<void> Workspace::addFile(const QString& file, const std::string& text) {
 
 Result<void> Workspace::removeFile(const QString& file) {
     if (!m_files.contains(file)) return Error{errors::NoSuchFileInProject(), toStd(file)};
-    if (!QFile::moveToTrash(absolutePath(file)) && !QFile::remove(absolutePath(file)))
-        return Error{errors::FileNotRemoved(), toStd(file)};
+    if (!kit::removeToTrash(absolutePath(file))) return Error{errors::FileNotRemoved(), toStd(file)};
     QFile::remove(sideFile(file));
     m_files.erase(file);
     emit filesChanged();
