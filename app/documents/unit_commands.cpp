@@ -170,6 +170,7 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
         edits[QString::fromStdString(model->sources()[each.file].path())] = each.edits;
     size_t places = 0;
     for (const auto& [each, list] : edits) places += list.size();
+    places += usesInPanels(renamedSymbol).size();
     // Panels follow, also when the rename is taken back.
     const QString newPath = path.left(path.size() - old.size()) + name;
     const auto renamePanels = [this, path, newPath](bool back) {

@@ -207,7 +207,7 @@ void LiveViews::exportAlarms() {
 }
 
 void LiveViews::connectDesign() {
-    connect(m_design.get(), &hmi::DesignContext::saved, this, &LiveViews::designEdited);
+    connect(m_design.get(), &hmi::DesignContext::saved, this, &LiveViews::panelsTaken); // also by a rename
     m_design->setCompletions(m_complete);
     m_design->setVariables([this]() -> const kit::VariableProvider& { return variables(); });
     m_design->setPicker([this](const QString& present) {

@@ -30,7 +30,7 @@ Overlay::Overlay(const OverlayLook& look, QWidget* parent) : QWidget(parent), m_
     m_box->setAttribute(Qt::WA_StyledBackground);
     setStyleSheet(
         QStringLiteral("#box { background: %1; border: 2px solid %2; border-radius: 8px; }"
-                       "QLabel { color: %3; } QLabel#hint { color: %4; }"
+                       "QLabel { color: %3; } QLabel#hint { color: %4; font-size: 18px; }"
                        "QLineEdit { background: %5; color: %3; border: 1px solid %2; border-radius: 4px; padding: 6px; "
                        "font-size: 24px; }"
                        "QPushButton { background: %6; color: %3; border: 1px solid %2; border-radius: 5px; min-height: "
@@ -70,7 +70,8 @@ void Overlay::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), QColor(0, 0, 0, 110));
 }
 
-void Overlay::mousePressEvent(QMouseEvent*) {
+void Overlay::mousePressEvent(QMouseEvent* event) {
+    if (m_box->geometry().contains(event->position().toPoint())) return; // between the keys
     emit cancelled();
     close();
 }
@@ -230,7 +231,6 @@ QString Keypad::complaint() const { return m_hint->text(); }
 
 void Keypad::complain(const QString& text) {
     m_hint->setText(text);
-    QPalette palette = m_hint->palette();
     m_hint->setStyleSheet(QStringLiteral("color: %1; font-weight: bold;").arg(m_look.theme.color("alarm").name()));
 }
 

@@ -41,16 +41,22 @@ void PlayerStatus::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     QFont font;
     font.setFamilies(m_look.texts->settings().fontFamilies(m_look.tag));
-    font.setPixelSize(16);
     font.setBold(true);
-    painter.setFont(font);
     const auto strip = [&](const QRect& rect, const QColor& ground, const QString& text, int radius) {
         painter.setPen(QPen(PanelTheme::inkOn(ground), radius ? 1.5 : 0));
         if (!radius) painter.setPen(Qt::NoPen);
         painter.setBrush(ground);
         painter.drawRoundedRect(rect, radius, radius);
         painter.setPen(PanelTheme::inkOn(ground));
-        painter.drawText(rect.adjusted(12, 2, -12, -2), Qt::AlignCenter | Qt::TextWordWrap, text);
+        const QRect inside = rect.adjusted(12, 2, -12, -2);
+        constexpr int flags = Qt::AlignCenter | Qt::TextWordWrap;
+        // On a narrow panel the words are smaller rather than cut off.
+        for (int size = 16; size >= 10; --size) {
+            font.setPixelSize(size);
+            painter.setFont(font);
+            if (painter.boundingRect(inside, flags, text).height() <= inside.height()) break;
+        }
+        painter.drawText(inside, flags, text);
     };
     if (!m_state.isEmpty()) {
         // Values of a controller that does not run lie under a veil: they are not fresh.

@@ -428,12 +428,18 @@ TEST(Designer, TheOutlineShowsTheTreeAndSelectsBothWays) {
     EXPECT_TRUE(outline.itemOf(QStringLiteral("b"))->isSelected());
 }
 
-TEST(Designer, ARenamedVariableIsRenamedInPanelsAndAlarms) {
+TEST(Designer, ARenamedVariableIsRenamedInPanelsAlarmsAndRecipes) {
     Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.overload AND Main.running"})");
     studio.project.panels.push_back(
         {QStringLiteral("closed"),
          panelOf(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"main.OVERLOAD"})")});
+    studio.project.recipes = *RecipeFile::parse(R"({"recipes":[{"name":"r","variables":[{"variable":"Main.overload"}],
+        "sets":[{"name":"s","values":{"Main.overload":"TRUE"}}]}]})",
+                                                {});
     EXPECT_TRUE(studio.context->renameVariable(QStringLiteral("Main.overload"), QStringLiteral("Main.tooMuch")));
+    const Recipe& recipe = studio.project.recipes.recipes().front();
+    EXPECT_EQ(recipe.variables[0].variable.toStdString(), "Main.tooMuch");
+    EXPECT_EQ(recipe.sets[0].values.value(QStringLiteral("Main.tooMuch")).toStdString(), "TRUE");
     EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("value").toStdString(), "Main.tooMuch AND Main.running");
     EXPECT_EQ(studio.project.panels[1].panel.elements()[0].text("value").toStdString(), "Main.tooMuch");
     EXPECT_EQ(studio.project.alarms.definitions()[0].condition.toStdString(), "Main.tooMuch");

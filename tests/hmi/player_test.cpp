@@ -102,6 +102,9 @@ TEST(Player, TheKeypadKeepsItsLimitsAndWritesTheNumber) {
     QTest::keyClick(keypad, Qt::Key_Return);
     ASSERT_TRUE(machine.player->overlay()); // refused, still open
     EXPECT_TRUE(keypad->complaint().contains(QStringLiteral("50")));
+    const QSignalSpy cancelled(keypad, &Overlay::cancelled);
+    QTest::mouseClick(keypad->box(), Qt::LeftButton, {}, QPoint(5, 5));
+    EXPECT_EQ(cancelled.size(), 0) << "a finger that misses a key cancels nothing";
     QTest::keyClick(keypad, Qt::Key_Backspace);
     QTest::keyClick(keypad, '.');
     QTest::keyClick(keypad, '2');

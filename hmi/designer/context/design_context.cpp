@@ -279,6 +279,20 @@ bool DesignContext::renameVariable(const QString& from, const QString& to) {
         setAlarms(std::move(alarms));
         any = true;
     }
+    RecipeFile recipes = m_project.recipes;
+    for (Recipe& recipe : recipes.recipes()) {
+        for (RecipeVariable& row : recipe.variables) row.variable = withRenamedPath(row.variable, from, to);
+        for (RecipeSet& set : recipe.sets) {
+            QMap<QString, QString> values;
+            for (auto each = set.values.cbegin(); each != set.values.cend(); ++each)
+                values.insert(withRenamedPath(each.key(), from, to), each.value());
+            set.values = values;
+        }
+    }
+    if (recipes.write() != m_project.recipes.write()) {
+        setRecipes(std::move(recipes));
+        any = true;
+    }
     return any;
 }
 
@@ -303,6 +317,11 @@ std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QStr
             if (names(row.text(key)))
                 out.push_back({m_project.placeOf(m_project.alarmsPath()), row.text("id"_text), QString::fromLatin1(key),
                                row.text(key), false});
+    for (const Recipe& recipe : m_project.recipes.recipes())
+        for (const RecipeVariable& row : recipe.variables)
+            if (names(row.variable))
+                out.push_back({m_project.placeOf(m_project.recipesPath()), recipe.name, QStringLiteral("variable"),
+                               row.variable, true});
     return out;
 }
 

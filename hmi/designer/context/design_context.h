@@ -82,7 +82,7 @@ public:
     /// A step of an editor of recipes or people, and the panels' names that follow in it. Whoever pushes it owns it.
     QUndoCommand* newEdit(const QString& title, std::function<void()> forward, std::function<void()> back,
                           const NamesInPanels& names);
-    /// A variable was renamed in the code: bindings of panels and conditions of alarms follow.
+    /// A variable was renamed in the code: bindings of panels, conditions of alarms and recipes follow.
     bool renameVariable(const QString& from, const QString& to);
     /// Where panels and alarms name a variable.
     struct VariableUse {

@@ -40,6 +40,8 @@ TextModel::TextModel(DesignContext& context, QUndoStack& undo, QObject* parent)
         const bool isSameShape = m_rows == static_cast<int>(table().rows().size()) &&
                                  m_columns == FirstLanguage + static_cast<int>(table().tags().size());
         if (isSameShape) {
+            // A file with as many languages in another order gives other columns.
+            emit headerDataChanged(Qt::Horizontal, 0, m_columns - 1);
             if (m_rows > 0) emit dataChanged(index(0, 0), index(m_rows - 1, m_columns - 1));
             return;
         }
