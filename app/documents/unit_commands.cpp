@@ -126,11 +126,18 @@ void UnitCommands::findUses(const QString& file, uint32_t offset) {
     emit usesShown();
 }
 
+hmi::DesignContext::NamedVariable UnitCommands::inPanels(const sema::Symbol& symbol) const {
+    // A path that is only the name is relative to an instance: panels name it behind the instance's.
+    const bool isAtTop = symbol.owner.empty() || symbol.path != symbol.name;
+    return m_parts.live.design()->namedVariable(QString::fromStdString(isAtTop ? symbol.path : std::string()),
+                                                QString::fromStdString(symbol.owner),
+                                                QString::fromStdString(symbol.name));
+}
+
 std::vector<SearchView::PanelUse> UnitCommands::usesInPanels(const sema::Symbol& symbol) const {
     std::vector<SearchView::PanelUse> out;
-    const bool isAtTop = symbol.owner.empty() || symbol.path != symbol.name;
-    if (!m_parts.live.design() || symbol.path.empty() || !isAtTop) return out;
-    for (const auto& use : m_parts.live.design()->usesOfVariable(QString::fromStdString(symbol.path)))
+    if (!m_parts.live.design()) return out;
+    for (const auto& use : m_parts.live.design()->usesOf(inPanels(symbol)))
         out.push_back({use.file, use.element, use.property + " = " + use.expression, use.isWrite});
     return out;
 }
@@ -162,7 +169,7 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
     const auto symbol = id ? model->symbolAt(*id, offset) : std::nullopt;
     if (!symbol) return emit message(tr("There is no name at the cursor; put the cursor on one"));
     const sema::Symbol& renamedSymbol = model->symbol(*symbol);
-    const QString old = QString::fromStdString(renamedSymbol.name), path = QString::fromStdString(renamedSymbol.path);
+    const QString old = QString::fromStdString(renamedSymbol.name);
     const auto found = model->rename(*id, offset, name.toStdString());
     if (!found) return emit message(kit::messageText(found.error()), true);
     std::map<QString, std::vector<diagnostics::TextEdit>> edits;
@@ -171,17 +178,21 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
     size_t places = 0;
     for (const auto& [each, list] : edits) places += list.size();
     places += usesInPanels(renamedSymbol).size();
-    // Panels follow, also when the rename is taken back.
-    const QString newPath = path.left(path.size() - old.size()) + name;
-    const auto renamePanels = [this, path, newPath](bool back) {
-        if (m_parts.live.design() &&
-            m_parts.live.design()->renameVariable(back ? newPath : path, back ? path : newPath))
-            (void)m_parts.live.design()->save();
-    };
-    const bool hasPath = path.endsWith(old, Qt::CaseInsensitive) &&
-                         (renamedSymbol.owner.empty() || path != old); // panels name nothing inside a block
-    m_parts.tabs.applyEdits(edits, hasPath ? std::function<void(bool)>(renamePanels) : nullptr);
-    if (hasPath) renamePanels(false);
+    std::function<void(bool)> renamePanels;
+    if (m_parts.live.design()) {
+        // Panels follow, also when the rename is taken back.
+        hmi::DesignContext::NamedVariable before = inPanels(renamedSymbol), after = before;
+        after.path = before.path.isEmpty() ? QString() : before.path.left(before.path.size() - old.size()) + name;
+        after.name = name;
+        if (before.path.isEmpty() || before.path.endsWith(old, Qt::CaseInsensitive))
+            renamePanels = [this, before, after](bool back) {
+                hmi::DesignContext* design = m_parts.live.design();
+                if (design && design->rename(back ? after : before, back ? before.name : after.name))
+                    (void)design->save();
+            };
+    }
+    m_parts.tabs.applyEdits(edits, renamePanels);
+    if (renamePanels) renamePanels(false);
     emit message(tr("%1 is now %2 in %n place(s)", nullptr, static_cast<int>(places)).arg(old, name));
 }
 

@@ -6,6 +6,7 @@
 #include "app/project/search_view.h"
 #include "editor/debug/run_control.h"
 #include "editor/workspace/workspace.h"
+#include "hmi/designer/context/design_context.h"
 #include "projects/analysis/conversion.h"
 
 #include <QObject>
@@ -49,6 +50,8 @@ signals:
 
 private:
     /// Panels and alarms that name a variable of the program; they name nothing inside a block.
+    /// Only where there are panels.
+    [[nodiscard]] hmi::DesignContext::NamedVariable inPanels(const sema::Symbol& symbol) const;
     [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void addTo(const QString& file, const std::string& text);
 

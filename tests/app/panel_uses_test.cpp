@@ -58,6 +58,47 @@ TEST_F(PanelUsesTest, ABindingIsCompletedWithTheProjectsVariablesBeforeFunctions
     EXPECT_EQ(offered("Main.li").first(), "limit");
 }
 
+class MemberRenameTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("src/pump.st", "FUNCTION_BLOCK Pump\nVAR_OUTPUT flow : REAL; END_VAR\nflow := 1.0;\nEND_FUNCTION_BLOCK\n"
+                             "VAR_GLOBAL gPump : Pump; END_VAR\n");
+        write("hmi/overview.panel.json",
+              R"({"elements": [{"id": "flow", "kind": "number", "rect": [40, 40, 120, 40], "value": "gPump.flow"}]})");
+        write("hmi/pump.panel.json", R"({"size": [200, 100], "parameters": [{"name": "pump", "type": "Pump"}],
+              "elements": [{"id": "flow", "kind": "number", "rect": [0, 0, 120, 40], "value": "$pump.flow * 2.0"}]})");
+        StudioTest::SetUp();
+    }
+    std::string read(const char* file) {
+        QFile in(window->workspace().folder() + "/" + file);
+        return in.open(QIODevice::ReadOnly) ? in.readAll().toStdString() : std::string();
+    }
+};
+
+TEST_F(MemberRenameTest, PanelsAndFaceplatesFollowAVariableOfABlock) {
+    window->tabs().openFile("src/pump.st");
+    analysed();
+    editor().goTo(static_cast<uint32_t>(editor().utf8().find("flow :")));
+    QStringList shown;
+    QTimer::singleShot(150, qApp, [&] {
+        auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        for (int i = 0; i < dialog->places().topLevelItemCount(); ++i)
+            shown << dialog->places().topLevelItem(i)->text(0);
+        dialog->findChild<QLineEdit*>()->setText("output");
+        dialog->accept();
+    });
+    window->action("edit.rename")->trigger();
+    EXPECT_TRUE(shown.contains("hmi/overview.panel.json: flow")) << shown.join(" | ").toStdString();
+    EXPECT_TRUE(shown.contains("hmi/pump.panel.json: flow"));
+    EXPECT_NE(read("hmi/overview.panel.json").find("gPump.output"), std::string::npos);
+    EXPECT_NE(read("hmi/pump.panel.json").find("$pump.output * 2.0"), std::string::npos);
+    QTest::keyClick(&editor(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_NE(editor().utf8().find("flow :"), std::string::npos);
+    EXPECT_NE(read("hmi/overview.panel.json").find("gPump.flow"), std::string::npos);
+    EXPECT_NE(read("hmi/pump.panel.json").find("$pump.flow * 2.0"), std::string::npos);
+}
+
 TEST_F(PanelUsesTest, FindInAllFilesCoversPanels) {
     window->search().openSearch("Main.limit");
     window->search().search();

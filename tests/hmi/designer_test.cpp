@@ -428,6 +428,32 @@ TEST(Designer, TheOutlineShowsTheTreeAndSelectsBothWays) {
     EXPECT_TRUE(outline.itemOf(QStringLiteral("b"))->isSelected());
 }
 
+TEST(Designer, ARenamedMemberIsRenamedBehindInstancesAndParametersOfItsType) {
+    Studio studio(
+        R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.edge.Q AND main.EDGE.q AND Main.name <> 'Main.edge.Q'"})");
+    const auto add = [&](const char* name, const char* type) {
+        const std::string text = std::string(R"({"size":[80,60],"parameters":[{"name":"p","type":")") + type +
+                                 R"("}],"elements":[{"id":"x","kind":"lamp","rect":[0,0,50,50],"value":"NOT $p.Q"}]})";
+        studio.project.panels.push_back({QString::fromLatin1(name), *Panel::parse(text, QString())});
+    };
+    add("plate", "R_TRIG");
+    add("delay", "TON"); // has a Q too, which is another
+    const auto value = [&](size_t panel) {
+        return studio.project.panels[panel].panel.elements()[0].text("value").toStdString();
+    };
+    auto named = studio.context->namedVariable(QString(), QStringLiteral("R_TRIG"), QStringLiteral("Q"));
+    EXPECT_EQ(studio.context->usesOf(named).size(), 2u);
+    EXPECT_TRUE(studio.context->rename(named, QStringLiteral("Rising")));
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("value").toStdString(),
+              "Main.edge.Rising AND main.EDGE.Rising AND Main.name <> 'Main.edge.Q'");
+    EXPECT_EQ(value(1), "NOT $p.Rising");
+    EXPECT_EQ(value(2), "NOT $p.Q");
+    named.name = QStringLiteral("Rising"); // taken back, while the program does not know the old name yet
+    EXPECT_TRUE(studio.context->rename(named, QStringLiteral("Q")));
+    EXPECT_EQ(value(1), "NOT $p.Q");
+    EXPECT_TRUE(studio.panel().find(QStringLiteral("a"))->text("value").startsWith(QStringLiteral("Main.edge.Q AND")));
+}
+
 TEST(Designer, ARenamedVariableIsRenamedInPanelsAlarmsAndRecipes) {
     Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.overload AND Main.running"})");
     studio.project.panels.push_back(

@@ -390,38 +390,81 @@ Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const Arr
     return {list};
 }
 
-QString withRenamedPath(const QString& expression, const QString& from, const QString& to) {
-    const auto isNamePart = [](QChar c) { return c.isLetterOrNumber() || c == u'_'; };
+namespace {
+
+bool isNamePart(QChar c) { return c.isLetterOrNumber() || c == u'_'; }
+
+/// Where the text in quotes that begins at `i` ends.
+qsizetype endOfText(const QString& expression, qsizetype i) {
+    qsizetype end = i + 1;
+    while (end < expression.size() && expression[end] != expression[i]) end += expression[end] == u'$' ? 2 : 1;
+    return std::min(end + 1, expression.size());
+}
+
+bool hasNameAt(const QString& expression, qsizetype i, const QString& name) {
+    return expression.mid(i, name.size()).compare(name, Qt::CaseInsensitive) == 0 &&
+           (i + name.size() == expression.size() || !isNamePart(expression[i + name.size()]));
+}
+
+/// The path in front of the dot at `dot`: "Plant.valves[2]" of "NOT Plant.valves[2].open".
+QString pathBefore(const QString& expression, qsizetype dot) {
+    qsizetype begin = dot;
+    int depth = 0; // of brackets
+    while (begin > 0) {
+        const QChar c = expression[begin - 1];
+        depth += c == u']' ? 1 : c == u'[' ? -1 : 0;
+        if (depth < 0 || (depth == 0 && c != u'[' && !isNamePart(c) && c != u'.' && c != u'^' && c != u'$')) break;
+        --begin;
+    }
+    return expression.mid(begin, dot - begin);
+}
+
+/// Texts are left alone; elsewhere `renamedAt` gives what takes the place of the characters from `i` on, and moves `i`
+/// behind them; nothing: the character stays.
+QString rewritten(const QString& expression, const std::function<std::optional<QString>(qsizetype& i)>& renamedAt) {
     QString out;
     for (qsizetype i = 0; i < expression.size();) {
-        const QChar c = expression[i];
-        if (c == u'\'' || c == u'"') { // texts are left alone
-            qsizetype end = i + 1;
-            while (end < expression.size() && expression[end] != c) end += expression[end] == u'$' ? 2 : 1;
-            end = std::min(end + 1, expression.size());
-            out += expression.mid(i, end - i);
-            i = end;
-            continue;
+        const qsizetype begin = i;
+        if (expression[i] == u'\'' || expression[i] == u'"') {
+            i = endOfText(expression, i);
+            out += expression.mid(begin, i - begin);
+        } else if (const std::optional<QString> other = renamedAt(i)) {
+            out += *other;
+        } else {
+            out += expression[i++];
         }
-        const bool begins =
-            isNamePart(c) &&
-            (i == 0 || (!isNamePart(expression[i - 1]) && expression[i - 1] != u'.' && expression[i - 1] != u'#'));
-        if (begins && expression.mid(i, from.size()).compare(from, Qt::CaseInsensitive) == 0 &&
-            (i + from.size() == expression.size() || !isNamePart(expression[i + from.size()]))) {
-            out += to;
-            i += from.size();
-            continue;
-        }
-        out += c;
-        ++i;
     }
     return out;
 }
 
-Edit renamedVariable(const Panel& panel, const QString& from, const QString& to) {
+} // namespace
+
+QString withRenamedPath(const QString& expression, const QString& from, const QString& to) {
+    return rewritten(expression, [&](qsizetype& i) -> std::optional<QString> {
+        const bool begins =
+            isNamePart(expression[i]) &&
+            (i == 0 || (!isNamePart(expression[i - 1]) && expression[i - 1] != u'.' && expression[i - 1] != u'#'));
+        if (!begins || !hasNameAt(expression, i, from)) return {};
+        i += from.size();
+        return to;
+    });
+}
+
+QString withRenamedMember(const QString& expression, const QString& from, const QString& to,
+                          const std::function<bool(const QString& base)>& isBase) {
+    return rewritten(expression, [&](qsizetype& i) -> std::optional<QString> {
+        if (expression[i] != u'.' || !hasNameAt(expression, i + 1, from)) return {};
+        const QString base = pathBefore(expression, i);
+        if (base.isEmpty() || !isBase(base)) return {};
+        i += 1 + from.size();
+        return u'.' + to;
+    });
+}
+
+Edit withExpressions(const Panel& panel, const std::function<QString(const QString& expression)>& renamed) {
     return rewrite(panel, [&](const ElementId&, const Found& found) -> std::optional<QString> {
         if (found.type == PropertyType::Text || found.type == PropertyType::TextList) return {};
-        return withRenamedPath(found.text, from, to);
+        return renamed(found.text);
     });
 }
 

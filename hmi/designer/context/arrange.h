@@ -3,6 +3,8 @@
 #pragma once
 #include "hmi/model/edit.h"
 
+#include <functional>
+
 namespace plc::hmi {
 
 using ElementIds = std::vector<ElementId>;
@@ -58,10 +60,13 @@ Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const Arr
 /// `Motor[1].on` → `Motor[3].on` for a shift of 2.
 QString withShiftedIndex(const QString& expression, int shift);
 
-/// Renames a variable's path in all bindings of the panel: `Main.start` → `Main.go`, also `main.START.x`, never inside
-/// other names or texts.
-Edit renamedVariable(const Panel& panel, const QString& from, const QString& to);
+/// Makes other expressions of all bindings of the panel.
+Edit withExpressions(const Panel& panel, const std::function<QString(const QString& expression)>& renamed);
+/// Renames a variable's path: `Main.start` → `Main.go`, also `main.START.x`, never inside other names or texts.
 QString withRenamedPath(const QString& expression, const QString& from, const QString& to);
+/// Renames a member behind the paths that `isBase` accepts: `Main.m1.speed` → `Main.m1.velocity`, `$motor.speed` too.
+QString withRenamedMember(const QString& expression, const QString& from, const QString& to,
+                          const std::function<bool(const QString& base)>& isBase);
 /// Renames a key of the text table wherever the panel uses it.
 Edit renamedKey(const Panel& panel, const QString& from, const QString& to);
 

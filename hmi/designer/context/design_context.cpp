@@ -3,9 +3,13 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/message_text.h"
 #include "hmi/designer/context/arrange.h"
+#include "hmi/model/faceplate.h"
 #include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/station/plc_convert.h"
+#include "hmi/station/program_facts.h"
+
+#include <QRegularExpression>
 
 namespace plc::hmi {
 
@@ -261,18 +265,25 @@ QUndoCommand* DesignContext::newEdit(const QString& title, std::function<void()>
         [both, back = std::move(back)] { both(back, Names::Before); });
 }
 
-bool DesignContext::renameVariable(const QString& from, const QString& to) {
-    bool any =
-        rewritePanels(tr("Rename %1").arg(from), [&](const Panel& panel) { return renamedVariable(panel, from, to); });
+bool DesignContext::renameExpressions(const QString& title, const Renamed& renamed) {
+    bool any = false;
+    for (NamedPanel& panel : m_project.panels) {
+        const Edit change =
+            withExpressions(latest(panel), [&](const QString& expression) { return renamed(panel.name, expression); });
+        if (change.isEmpty()) continue;
+        any = true;
+        rewritePanel(panel, title, change);
+    }
+    const auto other = [&](const QString& expression) { return renamed({}, expression); };
     AlarmFile alarms = m_project.alarms;
     const std::string before = alarms.write();
     for (Properties& row : alarms.rows()) {
         for (const char* key : {"condition", "inhibit"})
-            if (row.has(key)) row.set(key, toUtf8(withRenamedPath(row.text(key), from, to)));
+            if (row.has(key)) row.set(key, toUtf8(other(row.text(key))));
         if (!row.has("values"_field) || !row.at("values"_field).is_object()) continue;
         Json values = row.at("values"_field);
         for (Json& expression : values)
-            if (expression.is_string()) expression = toUtf8(withRenamedPath(toQString(expression), from, to));
+            if (expression.is_string()) expression = toUtf8(other(toQString(expression)));
         row.set("values"_field, values);
     }
     if (alarms.write() != before) {
@@ -281,11 +292,11 @@ bool DesignContext::renameVariable(const QString& from, const QString& to) {
     }
     RecipeFile recipes = m_project.recipes;
     for (Recipe& recipe : recipes.recipes()) {
-        for (RecipeVariable& row : recipe.variables) row.variable = withRenamedPath(row.variable, from, to);
+        for (RecipeVariable& row : recipe.variables) row.variable = other(row.variable);
         for (RecipeSet& set : recipe.sets) {
             QMap<QString, QString> values;
             for (auto each = set.values.cbegin(); each != set.values.cend(); ++each)
-                values.insert(withRenamedPath(each.key(), from, to), each.value());
+                values.insert(other(each.key()), each.value());
             set.values = values;
         }
     }
@@ -296,22 +307,21 @@ bool DesignContext::renameVariable(const QString& from, const QString& to) {
     return any;
 }
 
-std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QString& path) const {
+std::vector<DesignContext::VariableUse> DesignContext::expressionsThat(const Renamed& renames) const {
     std::vector<VariableUse> out;
-    const auto names = [&](const QString& expression) {
-        return withRenamedPath(expression, path, QStringLiteral("_")) != expression;
-    };
-    const auto look = [&](const QString& file, const Properties& properties, const ElementId& id) {
+    const auto look = [&](const QString& panel, const QString& file, const Properties& properties,
+                          const ElementId& id) {
         forEachBinding(properties, [&](const Found& found) {
-            if (names(found.text))
+            if (renames(panel, found.text) != found.text)
                 out.push_back({file, id, found.place(), found.text, found.place().startsWith(QLatin1String("target"))});
         });
     };
     for (const NamedPanel& panel : m_project.panels) {
         const QString file = m_project.placeOf(m_project.panelPath(panel.name));
-        look(file, panel.panel, {});
-        for (const Element& element : panel.panel.elements()) look(file, element, element.id());
+        look(panel.name, file, panel.panel, {});
+        for (const Element& element : panel.panel.elements()) look(panel.name, file, element, element.id());
     }
+    const auto names = [&](const QString& expression) { return renames({}, expression) != expression; };
     for (const Properties& row : m_project.alarms.rows())
         for (const char* key : {"condition", "inhibit"})
             if (names(row.text(key)))
@@ -322,6 +332,91 @@ std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QStr
             if (names(row.variable))
                 out.push_back({m_project.placeOf(m_project.recipesPath()), recipe.name, QStringLiteral("variable"),
                                row.variable, true});
+    return out;
+}
+
+DesignContext::Renamed DesignContext::renamer(const NamedVariable& variable, const QString& newPath,
+                                              const QString& newName) {
+    return [=](const QString& panel, const QString& expression) {
+        const QString moved =
+            variable.path.isEmpty() ? expression : withRenamedPath(expression, variable.path, newPath);
+        const auto bases = variable.bases.find(panel);
+        if (bases == variable.bases.end()) return moved;
+        return withRenamedMember(moved, variable.name, newName,
+                                 [&](const QString& base) { return bases->second.count(base) > 0; });
+    };
+}
+
+bool DesignContext::renameVariable(const QString& from, const QString& to) {
+    return renameExpressions(tr("Rename %1").arg(from), renamer({from, {}, {}}, to, {}));
+}
+
+std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QString& path) const {
+    return expressionsThat(renamer({path, {}, {}}, QStringLiteral("_"), {}));
+}
+
+bool DesignContext::rename(const NamedVariable& variable, const QString& newName) {
+    const QString newPath = variable.path.left(variable.path.size() - variable.name.size()) + newName;
+    return renameExpressions(tr("Rename %1").arg(variable.name), renamer(variable, newPath, newName));
+}
+
+std::vector<DesignContext::VariableUse> DesignContext::usesOf(const NamedVariable& variable) const {
+    return expressionsThat(renamer(variable, QStringLiteral("_"), QStringLiteral("_")));
+}
+
+/// The names of its type and of what that extends; `panel`: whose parameters it may begin with.
+QStringList DesignContext::typesOfBase(const NamedPanel* panel, const QString& base) const {
+    QString path = base;
+    if (base.startsWith(u'$')) {
+        const QString name = base.mid(1).section(QRegularExpression(QStringLiteral("[^\\w]")), 0, 0);
+        QString type;
+        if (panel)
+            for (const Parameter& parameter : parametersOf(latest(*panel)))
+                if (parameter.name.compare(name, Qt::CaseInsensitive) == 0) type = parameter.type;
+        const QString rest = base.mid(1 + name.size());
+        if (rest.isEmpty()) {
+            const std::optional<TypedExpression> known = typedVariable(m_checked, type);
+            return known ? typeNamesOf(*known) : QStringList();
+        }
+        path = instanceOf(m_checked, type) + rest;
+    }
+    // An index that the panel fills in, "[#]" or "[$i]": any element has the type.
+    static const QRegularExpression filledIn(QStringLiteral("\\[[^\\[\\]]*[#$][^\\[\\]]*\\]"));
+    for (auto match = filledIn.match(path); match.hasMatch(); match = filledIn.match(path)) {
+        const auto bounds = boundsOf(m_checked, path.left(match.capturedStart()));
+        if (!bounds) return {};
+        path.replace(match.capturedStart(), match.capturedLength(), QStringLiteral("[%1]").arg(bounds->first));
+    }
+    return typeNamesOf(m_checked, path);
+}
+
+DesignContext::NamedVariable DesignContext::namedVariable(const QString& path, const QString& owner,
+                                                          const QString& name) const {
+    NamedVariable out{path, name, {}};
+    if (owner.isEmpty()) return out;
+    const auto collect = [&](const NamedPanel* panel, const QString& expression) {
+        (void)withRenamedMember(expression, name, name, [&](const QString& base) {
+            if (typesOfBase(panel, base).contains(owner, Qt::CaseInsensitive))
+                out.bases[panel ? panel->name : QString()].insert(base);
+            return false;
+        });
+    };
+    for (const NamedPanel& panel : m_project.panels)
+        (void)withExpressions(latest(panel), [&](const QString& expression) {
+            collect(&panel, expression);
+            return expression;
+        });
+    for (const Properties& row : m_project.alarms.rows()) {
+        for (const char* key : {"condition", "inhibit"}) collect(nullptr, row.text(key));
+        if (row.has("values"_field) && row.at("values"_field).is_object())
+            for (const Json& expression : row.at("values"_field))
+                if (expression.is_string()) collect(nullptr, toQString(expression));
+    }
+    for (const Recipe& recipe : m_project.recipes.recipes()) {
+        for (const RecipeVariable& row : recipe.variables) collect(nullptr, row.variable);
+        for (const RecipeSet& set : recipe.sets)
+            for (auto each = set.values.cbegin(); each != set.values.cend(); ++each) collect(nullptr, each.key());
+    }
     return out;
 }
 

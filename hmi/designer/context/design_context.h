@@ -9,6 +9,10 @@
 
 #include <QObject>
 
+#include <functional>
+#include <map>
+#include <set>
+
 namespace plc::hmi {
 
 class DesignContext final : public QObject {
@@ -82,7 +86,7 @@ public:
     /// A step of an editor of recipes or people, and the panels' names that follow in it. Whoever pushes it owns it.
     QUndoCommand* newEdit(const QString& title, std::function<void()> forward, std::function<void()> back,
                           const NamesInPanels& names);
-    /// A variable was renamed in the code: bindings of panels, conditions of alarms and recipes follow.
+    /// A variable that has a path was renamed in the code: panels, alarms and recipes follow.
     bool renameVariable(const QString& from, const QString& to);
     /// Where panels and alarms name a variable.
     struct VariableUse {
@@ -92,6 +96,18 @@ public:
         bool isWrite = false;
     };
     std::vector<VariableUse> usesOfVariable(const QString& path) const;
+    /// How panels, alarms and recipes name a variable of the code: by its path from the top, or as a member behind the
+    /// paths of instances and of parameters of faceplates.
+    struct NamedVariable {
+        QString path;                               // "Main.start"; empty: it has none
+        QString name;                               // "speed"
+        std::map<QString, std::set<QString>> bases; // by panel, "" of alarms and recipes: "Main.m1", "$motor"
+    };
+    /// `owner`: the block, structure or program that declares it. Asks the program that is checked now.
+    NamedVariable namedVariable(const QString& path, const QString& owner, const QString& name) const;
+    /// It was renamed in the code, and everything that names it follows. True if anything did.
+    bool rename(const NamedVariable& variable, const QString& newName);
+    std::vector<VariableUse> usesOf(const NamedVariable& variable) const;
     void openDocument(const QString& panel, PanelDocument* document);
     void closeDocument(const PanelDocument* document);
     /// A panel is another now: those who place it as a faceplate show it.
@@ -124,6 +140,12 @@ signals:
     void positionChanged();
 
 private:
+    /// An expression of a panel, or of alarms and recipes where that is empty, as it is after a rename.
+    using Renamed = std::function<QString(const QString& panel, const QString& expression)>;
+    static Renamed renamer(const NamedVariable& variable, const QString& newPath, const QString& newName);
+    bool renameExpressions(const QString& title, const Renamed& renamed);
+    std::vector<VariableUse> expressionsThat(const Renamed& renames) const;
+    QStringList typesOfBase(const NamedPanel* panel, const QString& base) const;
     enum class Names { Before, After };
     /// Puts them in: as an undo step in panels that are open. Places that have gone are left out.
     void putNames(const QString& title, const NamesInPanels& names, Names which);
