@@ -124,16 +124,18 @@ void Session::State::scanInRealTime(int64_t now, double factor) {
         return;
     }
     const uint64_t scan = controller.nextScan();
+    haltedNs = 0;
     (void)controller.scan(Nanoseconds(plcNow));
-    const int64_t end = wallNow();
-    if (mode.pace == Pace::Real) times.add({scan, controller.lastTime(), plcNow - due, end - now});
-    lastScanNs.store(end - now, std::memory_order_relaxed);
-    afterScans(now, end);
+    const int64_t end = wallNow(), begin = now + haltedNs;
+    if (mode.pace == Pace::Real) times.add({scan, controller.lastTime(), plcNow - due, end - begin});
+    lastScanNs.store(end - begin, std::memory_order_relaxed);
+    afterScans(begin, end);
 }
 
 /// Virtual time: as many scans as fit into about a millisecond before looking at the clock again.
 void Session::State::scanFast() {
-    const int64_t begin = wallNow();
+    int64_t begin = wallNow();
+    haltedNs = 0;
     const int64_t last = std::max<int64_t>(lastScanNs.load(std::memory_order_relaxed), 100);
     const auto batch = std::clamp<int64_t>(1'000'000 / last, 1, 256);
     int64_t done = 0;
@@ -145,6 +147,7 @@ void Session::State::scanFast() {
         if (pausesAfterScan) break; // asked for while it stood at a breakpoint
     }
     const int64_t end = wallNow();
+    begin += haltedNs;
     needsAnchor = true;
     if (done == 0) return;
     lastScanNs.store((end - begin) / done, std::memory_order_relaxed);
@@ -196,6 +199,7 @@ void Session::State::afterScans(int64_t begin, int64_t end) {
 // ---------------------------------------------------------------- at a breakpoint
 
 debug::Going Session::State::serveHalt(const debug::Halt& halt) {
+    const int64_t since = wallNow();
     isHalted = true;
     goesOn = leavesScan = false;
     haltFrames = halt.frames;
@@ -226,6 +230,7 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
         wakeUp.wait(1'000'000'000);
     }
     isHalted = false;
+    haltedNs += wallNow() - since;
     haltFrames.clear();
     haltProblem = {};
     needsAnchor = true;

@@ -83,6 +83,7 @@ struct Session::State final : controller::ScanObserver {
     int64_t wallAnchor = 0, plcAnchor = 0; // real time: this wall time is that PLC time
     double anchoredFactor = 0;
     bool needsAnchor = true;
+    int64_t haltedNs = 0; // how long the scan that runs has stood at breakpoints
     bool isHalted = false, goesOn = false, leavesScan = false, pausesAfterScan = false;
     bool savesRetain = false;  // once the snapshot that shall be saved is published
     bool sharedIsStale = true; // something below or in the controller has to get into `shared`

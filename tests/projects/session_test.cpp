@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -203,6 +204,24 @@ TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
     session.start();
     ASSERT_TRUE(eventually([&] { return session.status().state == PlcState::Halted; }));
     // closing abandons the scan
+}
+
+TEST(Session, TheTimeAtABreakpointIsNotTheScans) {
+    using namespace std::chrono_literals;
+    Session session(program());
+    session.startThread(real());
+    Breakpoint breakpoint;
+    breakpoint.file = FileId(0u);
+    breakpoint.line = 1;
+    session.setBreakpoints({breakpoint});
+    ASSERT_TRUE(eventually([&] { return session.status().state == PlcState::Halted; }));
+    constexpr auto stood = 500ms;
+    std::this_thread::sleep_for(stood); // a duration: somebody looks at the values
+    session.setBreakpoints({});
+    session.resume();
+    ASSERT_TRUE(eventually([&] { return session.scanTimes().execution.count() > 3; }));
+    EXPECT_LT(std::chrono::nanoseconds(session.scanTimes().execution.mostNs()), stood);
+    EXPECT_LT(session.status().load, 0.9);
 }
 
 TEST(Session, GoesBackToAScanAndOnFromThere) {
