@@ -177,11 +177,11 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
         edits[QString::fromStdString(model->sources()[each.file].path())] = each.edits;
     size_t places = 0;
     for (const auto& [each, list] : edits) places += list.size();
-    places += usesInPanels(renamedSymbol).size();
     std::function<void(bool)> renamePanels;
-    if (m_parts.live.design()) {
+    if (hmi::DesignContext* open = m_parts.live.design()) {
         // Panels follow, also when the rename is taken back.
         hmi::DesignContext::NamedVariable before = inPanels(renamedSymbol), after = before;
+        places += open->usesOf(before).size();
         after.path = before.path.isEmpty() ? QString() : before.path.left(before.path.size() - old.size()) + name;
         after.name = name;
         if (before.path.isEmpty() || before.path.endsWith(old, Qt::CaseInsensitive))

@@ -49,8 +49,7 @@ signals:
     void usesShown(); // the search has them
 
 private:
-    /// Panels and alarms that name a variable of the program; they name nothing inside a block.
-    /// Only where there are panels.
+    /// How panels, alarms and recipes name it; only where there are panels.
     [[nodiscard]] hmi::DesignContext::NamedVariable inPanels(const sema::Symbol& symbol) const;
     [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void addTo(const QString& file, const std::string& text);

@@ -14,6 +14,12 @@
 namespace plc::app {
 namespace {
 
+QStringList placesOf(RenameDialog& dialog) {
+    QStringList out;
+    for (int i = 0; i < dialog.places().topLevelItemCount(); ++i) out << dialog.places().topLevelItem(i)->text(0);
+    return out;
+}
+
 class PanelUsesTest : public StudioTest {
 protected:
     void SetUp() override {
@@ -83,8 +89,7 @@ TEST_F(MemberRenameTest, PanelsAndFaceplatesFollowAVariableOfABlock) {
     QTimer::singleShot(150, qApp, [&] {
         auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
-        for (int i = 0; i < dialog->places().topLevelItemCount(); ++i)
-            shown << dialog->places().topLevelItem(i)->text(0);
+        shown = placesOf(*dialog);
         dialog->findChild<QLineEdit*>()->setText("output");
         dialog->accept();
     });
@@ -110,8 +115,7 @@ TEST_F(PanelUsesTest, ARenameShowsWhatItChangesFirst) {
     QTimer::singleShot(150, qApp, [&] {
         auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
-        for (int i = 0; i < dialog->places().topLevelItemCount(); ++i)
-            shown << dialog->places().topLevelItem(i)->text(0);
+        shown = placesOf(*dialog);
         dialog->reject();
     });
     window->action("edit.rename")->trigger();
