@@ -38,7 +38,7 @@ void MainWindow::makeDocuments() {
         },
         this);
     m_designs = new DesignPages({*this, *m_workspace, *m_tabs, *m_live, *m_files, *m_findings}, this);
-    m_units = new UnitCommands({*this, *m_workspace, *m_control, *m_tabs, *m_live, *m_search}, this);
+    m_units = new UnitCommands({*this, *m_workspace, *m_control, *m_tabs, *m_live, *m_search, *m_watch}, this);
     m_fileCommands = new FileCommands({*this, *m_workspace, *m_control, *m_tabs, *m_live, *m_designs}, this);
     m_state = std::make_unique<ProjectState>(
         ProjectState::Parts{m_settings, *m_workspace, *m_control, *m_tabs, *m_designs, *m_watch});

@@ -131,7 +131,22 @@ hmi::DesignContext::NamedVariable UnitCommands::inPanels(const sema::Symbol& sym
     const bool isAtTop = symbol.owner.empty() || symbol.path != symbol.name;
     return m_parts.live.design()->namedVariable(QString::fromStdString(isAtTop ? symbol.path : std::string()),
                                                 QString::fromStdString(symbol.owner),
-                                                QString::fromStdString(symbol.name));
+                                                QString::fromStdString(symbol.name), watched());
+}
+
+QStringList UnitCommands::watched() const {
+    QStringList out = m_parts.watch.allExpressions();
+    trace::TraceSetup setup = m_parts.live.traceView().setup();
+    trace::forEachExpression(setup, [&](std::string& each) { out << QString::fromStdString(each); });
+    return out;
+}
+
+QString UnitCommands::noteOnRunning(const sema::Symbol& symbol) const {
+    const bool hasValue = symbol.kind == sema::SymbolKind::Variable || symbol.kind == sema::SymbolKind::Program ||
+                          symbol.kind == sema::SymbolKind::GlobalList;
+    if (!hasValue || !m_parts.control.hasValues()) return {};
+    return tr("The program is running. To an online change the new name is another variable: it begins with its "
+              "initial value.");
 }
 
 std::vector<SearchView::PanelUse> UnitCommands::usesInPanels(const sema::Symbol& symbol) const {
@@ -158,8 +173,12 @@ void UnitCommands::renameSymbol(const QString& file, uint32_t offset) {
     }
     for (const SearchView::PanelUse& use : usesInPanels(model->symbol(*symbol)))
         places.push_back({QString("%1: %2").arg(use.file, use.element), use.text});
-    RenameDialog dialog(old, places, &m_parts.window);
-    if (dialog.exec() != QDialog::Accepted || dialog.name().isEmpty() || dialog.name() == old) return;
+    const auto check = [&](const QString& name) {
+        const auto edits = model->rename(*id, offset, name.toStdString());
+        return edits ? QString() : kit::messageText(edits.error());
+    };
+    RenameDialog dialog(old, places, noteOnRunning(model->symbol(*symbol)), check, &m_parts.window);
+    if (dialog.exec() != QDialog::Accepted || dialog.name() == old) return;
     renameTo(file, offset, dialog.name());
 }
 
@@ -187,8 +206,15 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
         if (before.path.isEmpty() || before.path.endsWith(old, Qt::CaseInsensitive))
             renamePanels = [this, before, after](bool back) {
                 hmi::DesignContext* design = m_parts.live.design();
-                if (design && design->rename(back ? after : before, back ? before.name : after.name))
-                    (void)design->save();
+                if (!design) return;
+                const hmi::DesignContext::NamedVariable& from = back ? after : before;
+                const QString& to = back ? before.name : after.name;
+                const auto renamed = [&](const QString& expression) {
+                    return hmi::DesignContext::renamed(from, to, expression);
+                };
+                m_parts.watch.renameExpressions(renamed);
+                m_parts.live.traceView().renameExpressions(renamed);
+                if (design->rename(from, to)) (void)design->save();
             };
     }
     m_parts.tabs.applyEdits(edits, renamePanels);

@@ -5,6 +5,7 @@
 #include "app/panels/live_views.h"
 #include "app/project/search_view.h"
 #include "editor/debug/run_control.h"
+#include "editor/debug/watch_view.h"
 #include "editor/workspace/workspace.h"
 #include "hmi/designer/context/design_context.h"
 #include "projects/analysis/conversion.h"
@@ -23,6 +24,7 @@ public:
         EditorTabs& tabs;
         LiveViews& live;
         SearchView& search;
+        editor::WatchView& watch;
     };
     UnitCommands(Parts parts, QObject* parent);
 
@@ -33,7 +35,7 @@ public:
     void findUses(const QString& file, uint32_t offset);
     /// Asks for the new name, with all places.
     void renameSymbol(const QString& file, uint32_t offset);
-    /// In the code, the tests and the panels; one undo takes all of it back.
+    /// In the code, the tests, panels, alarms, recipes, watch lists and traces; one undo takes all of it back.
     void renameTo(const QString& file, uint32_t offset, const QString& name);
     void definitionAtCursor();
     void usesAtCursor();
@@ -53,6 +55,10 @@ private:
     [[nodiscard]] hmi::DesignContext::NamedVariable inPanels(const sema::Symbol& symbol) const;
     [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void addTo(const QString& file, const std::string& text);
+    /// What names variables beside the code and the panels: watch lists and the set-up of the trace.
+    [[nodiscard]] QStringList watched() const;
+    /// What the running controller makes of the new name, in words; "" while none runs.
+    [[nodiscard]] QString noteOnRunning(const sema::Symbol& symbol) const;
 
     Parts m_parts;
 };

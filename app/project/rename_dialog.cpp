@@ -12,8 +12,10 @@
 
 namespace plc::app {
 
-RenameDialog::RenameDialog(const QString& old, const std::vector<Place>& places, QWidget* parent)
-    : QDialog(parent), m_name(new QLineEdit(old, this)), m_places(new QTreeWidget(this)) {
+RenameDialog::RenameDialog(const QString& old, const std::vector<Place>& places, const QString& note, Check check,
+                           QWidget* parent)
+    : QDialog(parent), m_check(std::move(check)), m_old(old), m_name(new QLineEdit(old, this)),
+      m_places(new QTreeWidget(this)), m_complaint(new QLabel(this)) {
     setWindowTitle(tr("Rename"));
     resize(720, 420);
     auto* label = new QLabel(tr("New name of %1, in the whole project:").arg(old), this);
@@ -36,6 +38,16 @@ RenameDialog::RenameDialog(const QString& old, const std::vector<Place>& places,
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(label);
     layout->addWidget(m_name);
+    m_complaint->setWordWrap(true);
+    m_complaint->hide();
+    connect(m_name, &QLineEdit::textChanged, m_complaint, &QLabel::hide);
+    connect(m_name, &QLineEdit::textChanged, m_complaint, &QLabel::clear);
+    layout->addWidget(m_complaint);
+    if (!note.isEmpty()) {
+        auto* more = new QLabel(note, this);
+        more->setWordWrap(true);
+        layout->addWidget(more);
+    }
     layout->addWidget(new QLabel(tr("%n place(s) change:", nullptr, static_cast<int>(places.size())), this));
     layout->addWidget(m_places, 1);
     layout->addWidget(buttons);
@@ -43,5 +55,21 @@ RenameDialog::RenameDialog(const QString& old, const std::vector<Place>& places,
 }
 
 QString RenameDialog::name() const { return m_name->text().trimmed(); }
+
+QString RenameDialog::complaint() const { return m_complaint->text(); }
+
+void RenameDialog::accept() {
+    if (name().isEmpty()) return;
+    const QString complaint = name() == m_old ? QString() : m_check(name());
+    if (complaint.isEmpty()) return QDialog::accept();
+    QPalette palette = m_complaint->palette();
+    palette.setColor(QPalette::WindowText, kit::colors().bad);
+    m_complaint->setPalette(palette);
+    m_complaint->setText(complaint);
+    m_complaint->show();
+    m_name->setAccessibleDescription(complaint);
+    m_name->setFocus();
+    m_name->selectAll();
+}
 
 } // namespace plc::app

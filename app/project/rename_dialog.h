@@ -2,8 +2,10 @@
 #pragma once
 #include <QDialog>
 
+#include <functional>
 #include <vector>
 
+class QLabel;
 class QLineEdit;
 class QTreeWidget;
 
@@ -15,13 +17,22 @@ public:
     struct Place {
         QString where, text; // "src/main.st:12", the line
     };
-    RenameDialog(const QString& old, const std::vector<Place>& places, QWidget* parent);
+    /// What is wrong with a name, or "". The dialog says it and stays open.
+    using Check = std::function<QString(const QString& name)>;
+    /// `note`: what else there is to know, or "".
+    RenameDialog(const QString& old, const std::vector<Place>& places, const QString& note, Check check,
+                 QWidget* parent);
     [[nodiscard]] QString name() const;
     [[nodiscard]] QTreeWidget& places() { return *m_places; }
+    [[nodiscard]] QString complaint() const;
+    void accept() override;
 
 private:
+    Check m_check;
+    QString m_old;
     QLineEdit* m_name;
     QTreeWidget* m_places;
+    QLabel* m_complaint;
 };
 
 } // namespace plc::app

@@ -46,7 +46,10 @@ public:
     void addList(const QString& name); // and shows it
     void showList(const QString& name);
     void renameList(const QString& name);
-    void removeList(); // the one that is shown; the last one is emptied
+    /// A variable has another name in the program: the rows of all lists follow.
+    void renameExpressions(const std::function<QString(const QString& expression)>& renamed);
+    [[nodiscard]] QStringList allExpressions() const; // of all lists
+    void removeList();                                // the one that is shown; the last one is emptied
     /// For the settings of the project: all lists, and back.
     [[nodiscard]] QStringList stored() const;
     void restore(const QStringList& stored);

@@ -214,6 +214,14 @@ void TraceView::addChannel(const QString& expression, int chart) {
     });
 }
 
+void TraceView::renameExpressions(const std::function<QString(const QString& expression)>& renamed) {
+    change(tr("Rename"), [&](TraceSetup& setup) {
+        forEachExpression(setup, [&](std::string& expression) {
+            expression = renamed(QString::fromStdString(expression)).toStdString();
+        });
+    });
+}
+
 void TraceView::followOthers() {
     m_others.follow(m_setup,
                     [this](const std::string& file) { return readFile(inProject(QString::fromStdString(file))); });

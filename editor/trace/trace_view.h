@@ -59,6 +59,8 @@ public:
     QUndoStack* undoStack() { return &m_undo; }
 
     void addChannel(const QString& expression, int chart = 0);
+    /// A variable has another name in the program: the set-up follows, in one step that can be taken back.
+    void renameExpressions(const std::function<QString(const QString& expression)>& renamed);
     /// A channel of another recording or table, drawn beside those of the one that is shown.
     void addChannelOf(const QString& file, const QString& expression);
     /// What is drawn beside the charts: an XY plot, a spectrum…

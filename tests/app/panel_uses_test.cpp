@@ -2,6 +2,8 @@
 #include "app/panels/live_views.h"
 #include "app/project/rename_dialog.h"
 #include "app/project/search_view.h"
+#include "editor/debug/watch_view.h"
+#include "editor/trace/trace_view.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 
@@ -102,6 +104,45 @@ TEST_F(MemberRenameTest, PanelsAndFaceplatesFollowAVariableOfABlock) {
     EXPECT_NE(editor().utf8().find("flow :"), std::string::npos);
     EXPECT_NE(read("hmi/overview.panel.json").find("gPump.flow"), std::string::npos);
     EXPECT_NE(read("hmi/pump.panel.json").find("$pump.flow * 2.0"), std::string::npos);
+}
+
+TEST_F(MemberRenameTest, WatchListsAndTheTraceFollowAndTheRunningProgramIsMentioned) {
+    window->watch().setExpressions({"gPump.flow", "Main.counter"});
+    window->watch().addList("pumps");
+    window->watch().setExpressions({"gPump.flow * 3.0"});
+    window->live().traceView().addChannel("gPump.flow");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 3; }));
+    window->tabs().openFile("src/pump.st");
+    analysed();
+    editor().goTo(static_cast<uint32_t>(editor().utf8().find("flow :")));
+    QString complaint;
+    bool isMentioned = false;
+    QTimer::singleShot(150, qApp, [&] {
+        auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        for (QLabel* each : dialog->findChildren<QLabel*>())
+            isMentioned |= each->isVisible() && each->text().contains("initial value");
+        auto* line = dialog->findChild<QLineEdit*>();
+        line->selectAll();
+        QTest::keyClicks(line, "END_IF");
+        QTest::keyClick(line, Qt::Key_Return);
+        complaint = dialog->isVisible() ? dialog->complaint() : QString();
+        QTest::keyClicks(line, "delivery"); // over what is selected
+        QTest::keyClick(line, Qt::Key_Return);
+        if (dialog->isVisible()) dialog->reject();
+    });
+    window->action("edit.rename")->trigger();
+    EXPECT_TRUE(isMentioned) << "its value is lost";
+    EXPECT_TRUE(complaint.contains("END_IF")) << complaint.toStdString();
+    EXPECT_NE(editor().utf8().find("delivery :"), std::string::npos) << editor().utf8();
+    EXPECT_EQ(window->watch().expressions(), QStringList{"gPump.delivery * 3.0"});
+    EXPECT_EQ(window->live().traceView().setup().channels.front().expression, "gPump.delivery");
+    window->watch().showList("Watch");
+    EXPECT_EQ(window->watch().expressions(), (QStringList{"gPump.delivery", "Main.counter"}));
+    QTest::keyClick(&editor(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window->watch().expressions(), (QStringList{"gPump.flow", "Main.counter"}));
+    EXPECT_EQ(window->live().traceView().setup().channels.front().expression, "gPump.flow");
 }
 
 TEST_F(PanelUsesTest, FindInAllFilesCoversPanels) {

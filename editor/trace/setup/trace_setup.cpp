@@ -423,6 +423,17 @@ std::string writeSetup(const TraceSetup& setup) {
     return w.finish().dump(2) + "\n";
 }
 
+void forEachExpression(TraceSetup& setup, const std::function<void(std::string& expression)>& visit) {
+    const auto look = [&](std::string& expression) {
+        if (!expression.empty()) visit(expression);
+    };
+    for (ChannelSetup& channel : setup.channels)
+        if (channel.recording.empty()) look(channel.expression);
+    look(setup.condition);
+    look(setup.trigger.expression);
+    look(setup.figure.x);
+}
+
 Result<TraceSetup> loadSetup(const std::string& path) {
     const auto text = projects::readFile(path);
     if (!text) return text.error();

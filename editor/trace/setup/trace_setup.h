@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,6 +110,9 @@ struct TraceSetup {
 
 [[nodiscard]] Result<TraceSetup> readSetup(std::string_view text, const std::string& place);
 [[nodiscard]] std::string writeSetup(const TraceSetup& setup);
+/// Each expression of the running program that the set-up names: channels, condition, trigger, figure.
+void forEachExpression(TraceSetup& setup, const std::function<void(std::string& expression)>& visit);
+
 [[nodiscard]] Result<TraceSetup> loadSetup(const std::string& path);
 Result<void> saveSetup(const TraceSetup& setup, const std::string& path);
 

@@ -355,9 +355,19 @@ std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QStr
     return expressionsThat(renamer({path, {}, {}}, QStringLiteral("_"), {}));
 }
 
+namespace {
+QString pathAfter(const DesignContext::NamedVariable& variable, const QString& newName) {
+    return variable.path.left(variable.path.size() - variable.name.size()) + newName;
+}
+} // namespace
+
 bool DesignContext::rename(const NamedVariable& variable, const QString& newName) {
-    const QString newPath = variable.path.left(variable.path.size() - variable.name.size()) + newName;
-    return renameExpressions(tr("Rename %1").arg(variable.name), renamer(variable, newPath, newName));
+    return renameExpressions(tr("Rename %1").arg(variable.name),
+                             renamer(variable, pathAfter(variable, newName), newName));
+}
+
+QString DesignContext::renamed(const NamedVariable& variable, const QString& newName, const QString& expression) {
+    return renamer(variable, pathAfter(variable, newName), newName)({}, expression);
 }
 
 std::vector<DesignContext::VariableUse> DesignContext::usesOf(const NamedVariable& variable) const {
@@ -391,7 +401,7 @@ QStringList DesignContext::typesOfBase(const NamedPanel* panel, const QString& b
 }
 
 DesignContext::NamedVariable DesignContext::namedVariable(const QString& path, const QString& owner,
-                                                          const QString& name) const {
+                                                          const QString& name, const QStringList& elsewhere) const {
     NamedVariable out{path, name, {}};
     if (owner.isEmpty()) return out;
     const auto collect = [&](const NamedPanel* panel, const QString& expression) {
@@ -401,6 +411,7 @@ DesignContext::NamedVariable DesignContext::namedVariable(const QString& path, c
             return false;
         });
     };
+    for (const QString& expression : elsewhere) collect(nullptr, expression);
     for (const NamedPanel& panel : m_project.panels)
         (void)withExpressions(latest(panel), [&](const QString& expression) {
             collect(&panel, expression);

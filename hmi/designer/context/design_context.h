@@ -103,8 +103,12 @@ public:
         QString name;                               // "speed"
         std::map<QString, std::set<QString>> bases; // by panel, "" of alarms and recipes: "Main.m1", "$motor"
     };
-    /// `owner`: the block, structure or program that declares it. Asks the program that is checked now.
-    NamedVariable namedVariable(const QString& path, const QString& owner, const QString& name) const;
+    /// `owner`: the block, structure or program that declares it; `elsewhere`: expressions beside those of panels,
+    /// alarms and recipes, which renamed() is asked about. Asks the program that is checked now.
+    NamedVariable namedVariable(const QString& path, const QString& owner, const QString& name,
+                                const QStringList& elsewhere = {}) const;
+    /// An expression from elsewhere with the new name of the variable.
+    static QString renamed(const NamedVariable& variable, const QString& newName, const QString& expression);
     /// It was renamed in the code, and everything that names it follows. True if anything did.
     bool rename(const NamedVariable& variable, const QString& newName);
     std::vector<VariableUse> usesOf(const NamedVariable& variable) const;
