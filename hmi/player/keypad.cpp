@@ -230,15 +230,17 @@ QString Keypad::entered() const { return m_edit->text(); }
 QString Keypad::complaint() const { return m_hint->text(); }
 
 void Keypad::complain(const QString& text) {
+    m_wasRefused = m_request.kind == EntryKind::Number; // a mask that is not full is filled
     m_hint->setText(text);
     m_hint->setStyleSheet(QStringLiteral("color: %1; font-weight: bold;").arg(m_look.theme.color("alarm").name()));
 }
 
 void Keypad::type(const QString& text) {
     QString now = m_edit->text();
-    const bool replaces = std::exchange(m_untouched, false);
+    const bool isFirst = std::exchange(m_untouched, false);
+    const bool replaces = std::exchange(m_wasRefused, false) || isFirst;
     if (text == QStringLiteral("⌫"))
-        now = replaces ? QString() : now.chopped(std::min<qsizetype>(1, now.size()));
+        now = isFirst ? QString() : now.chopped(std::min<qsizetype>(1, now.size()));
     else if (text == QStringLiteral("C")) {
         // On the letters' keyboard C is a letter.
         now = m_letters.empty() ? QString() : (replaces ? text : now + text);

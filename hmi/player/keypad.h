@@ -77,6 +77,7 @@ private:
     QLabel* m_hint = nullptr;
     std::vector<QPushButton*> m_letters;
     bool m_shift = false, m_untouched = true;
+    bool m_wasRefused = false; // the next digit begins another number
 };
 
 class ChoiceList final : public Overlay {

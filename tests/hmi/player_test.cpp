@@ -112,6 +112,31 @@ TEST(Player, TheKeypadKeepsItsLimitsAndWritesTheNumber) {
     EXPECT_TRUE(machine.waitFor("Main.level > 9.1 AND Main.level < 9.3"));
 }
 
+TEST(Player, AfterARefusedNumberTheNextDigitBeginsAnother) {
+    Machine machine(
+        R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level","minimum":"0","maximum":"50"},{"id":"p","kind":"maskedEntry","rect":[10,100,140,44],"target":"Main.name","mask":"##"})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 2"));
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 30));
+    auto* keypad = dynamic_cast<Keypad*>(machine.player->overlay());
+    ASSERT_TRUE(keypad);
+    QTest::keyClicks(keypad, "99");
+    QTest::keyClick(keypad, Qt::Key_Return);
+    ASSERT_TRUE(machine.player->overlay());
+    QTest::keyClicks(keypad, "42");
+    EXPECT_EQ(keypad->entered().toStdString(), "42");
+    QTest::keyClick(keypad, Qt::Key_Return);
+    EXPECT_TRUE(machine.waitFor("Main.level = 42.0"));
+    // A code that is not whole is completed.
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 120));
+    keypad = dynamic_cast<Keypad*>(machine.player->overlay());
+    ASSERT_TRUE(keypad);
+    QTest::keyClicks(keypad, "4");
+    QTest::keyClick(keypad, Qt::Key_Return);
+    ASSERT_TRUE(machine.player->overlay());
+    QTest::keyClicks(keypad, "2");
+    EXPECT_EQ(keypad->entered().toStdString(), "42");
+}
+
 TEST(Player, TheKeypadSpeaksTheLanguage) {
     Machine machine(
         R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level"},{"id":"t","kind":"textEntry","rect":[10,100,140,44],"target":"Main.name"})");
