@@ -90,16 +90,8 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
         out.push_back(
             {FindingKind::UnknownKind, true, QString::fromStdString(problem.place), 0, {}, {}, {}, problem.message});
     for (Finding& finding : checkPanels(input)) out.push_back(std::move(finding));
-    if (checked.analysis)
-        for (RecipeFinding& one : checkRecipes(project.recipes, checked))
-            out.push_back({FindingKind::WrongRecipe,
-                           true,
-                           project.placeOf(project.recipesPath()),
-                           0,
-                           one.recipe,
-                           one.variable,
-                           {},
-                           std::move(one.message)});
+    for (Finding& one : recipeFindings(project.recipes, checked, project.placeOf(project.recipesPath())))
+        out.push_back(std::move(one));
     if (const QString variable = project.texts.settings().variable; !variable.isEmpty() && input.checkBinding) {
         Message complaint = checkBinding(checked, variable, "any", true);
         if (!complaint.isEmpty())
@@ -115,9 +107,9 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
     return out;
 }
 
-int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen) {
+int playPanels(const PanelProject& project, session::Session& session, const PlayOptions& options) {
     PanelPlayer player(project, &session);
-    if (!panel.isEmpty()) player.showPanel(panel);
+    if (!options.panel.isEmpty()) player.showPanel(options.panel);
     if (project.hasAlarms && !player.keepAlarmsInProject()) {
         // A project that cannot be written: beside what else the program keeps of a project that is not part of it.
         const QString folder =
@@ -135,8 +127,8 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
     QObject::connect(&player, &PanelPlayer::languageChanged, &player, showTitle);
     showTitle();
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
-    player.keepLanguageInProject();
-    if (fullScreen)
+    player.keepLanguageInProject(options.language);
+    if (options.isFullScreen)
         player.showFullScreen();
     else
         player.show();

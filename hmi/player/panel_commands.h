@@ -30,7 +30,13 @@ Result<void> formatPanels(const PanelProject& project);
 std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked,
                                  const QStringList& languages = {});
 
+struct PlayOptions {
+    QString panel;    // shown first; empty: the start panel
+    QString language; // one of the project to begin with; empty: what the operator chose last
+    bool isFullScreen = false;
+};
+
 /// Opens a window and plays until it is closed; returns the application's exit code.
-int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen);
+int playPanels(const PanelProject& project, session::Session& session, const PlayOptions& options);
 
 } // namespace plc::hmi

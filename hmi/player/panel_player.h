@@ -62,7 +62,7 @@ public:
     /// look.
     Result<void> keepAlarmsInProject() { return m_station.keepAlarmsInProject(); }
     Result<void> keepAlarmsIn(const QString& path) { return m_station.keepAlarmsIn(path); }
-    void keepLanguageInProject() { m_station.keepLanguageInProject(); }
+    void keepLanguageInProject(const QString& instead = {}) { m_station.keepLanguageInProject(instead); }
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }

@@ -317,8 +317,10 @@ void OperatorStation::rememberLanguage() const {
     (void)projects::writeFileAtomically(toUtf8(languageFileOf(m_project)), toUtf8(m_language) + "\n");
 }
 
-void OperatorStation::keepLanguageInProject() {
+void OperatorStation::keepLanguageInProject(const QString& instead) {
+    if (!instead.isEmpty()) requestLanguage(instead); // nobody chose it on the panel: not remembered
     m_remembersLanguage = true;
+    if (!instead.isEmpty()) return;
     const auto text = projects::readFile(toUtf8(languageFileOf(m_project)));
     const QString tag = text ? QString::fromStdString(*text).trimmed() : QString();
     if (m_project.texts.settings().languages.contains(tag)) requestLanguage(tag);

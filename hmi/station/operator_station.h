@@ -91,8 +91,8 @@ public:
     void requestLanguage(const QString& tag);
     /// Neither follows nor writes the program's language variable: one of several people with a language each.
     void setOwnLanguage(bool own) { m_hasOwnLanguage = own; }
-    /// The language that the operator chose last, also in a later run.
-    void keepLanguageInProject();
+    /// The language that the operator chose last, also in a later run. `instead`: one to begin with this time.
+    void keepLanguageInProject(const QString& instead = {});
 
     // People, and the trail of what they did.
     const LogIn& people() const { return m_logIn; }

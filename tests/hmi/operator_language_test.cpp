@@ -90,6 +90,17 @@ TEST(OperatorLanguage, TheLanguageThatWasChosenLastComesBack) {
     EXPECT_EQ(again.language().toStdString(), "en");
     again.keepLanguageInProject();
     EXPECT_EQ(again.language().toStdString(), "da");
+    // Started in another one (panel --play --language): this time, and the choice stays the operator's.
+    PanelPlayer arabic(project, nullptr);
+    arabic.keepLanguageInProject(QStringLiteral("ar"));
+    EXPECT_EQ(arabic.language().toStdString(), "ar");
+    PanelPlayer after(project, nullptr);
+    after.keepLanguageInProject();
+    EXPECT_EQ(after.language().toStdString(), "da");
+    emit arabic.scene().languageRequested(QStringLiteral("en"));
+    PanelPlayer chosen(project, nullptr);
+    chosen.keepLanguageInProject();
+    EXPECT_EQ(chosen.language().toStdString(), "en");
 }
 
 } // namespace

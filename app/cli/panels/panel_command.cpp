@@ -6,6 +6,7 @@
 #include "editor/kit/theme.h"
 #include "hmi/alarms/alarm_export.h"
 #include "hmi/check/standard_check.h"
+#include "hmi/model/errors.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/station/range_check.h"
 
@@ -150,8 +151,14 @@ int play(const Arguments& arguments, const projects::Project& project) {
     if (auto chosen = hmi::chooseTheme(panels, arguments.value("--theme").value_or("")); !chosen)
         return wrongUse(chosen.error());
     if (panels.panels.empty()) return wrongUse({errors::NoPanelInProject(), project.name});
-    return hmi::playPanels(panels, session, QString::fromStdString(arguments.value("--panel").value_or("")),
-                           arguments.has("--full-screen"));
+    const hmi::PlayOptions options{QString::fromStdString(arguments.value("--panel").value_or("")),
+                                   QString::fromStdString(arguments.value("--language").value_or("")),
+                                   arguments.has("--full-screen")};
+    if (!options.panel.isEmpty() && !panels.find(options.panel))
+        return wrongUse({errors::NoSuchPanel(), options.panel.toStdString()});
+    if (!options.language.isEmpty() && !panels.texts.settings().languages.contains(options.language))
+        return wrongUse({errors::NoTextsIn(options.language.toStdString()), project.name});
+    return hmi::playPanels(panels, session, options);
 }
 
 /// The alarm history that a player has kept in the project, as a table on the standard output.
@@ -207,8 +214,8 @@ Command panelCommand() {
           {"--pseudo", "", "measure the texts of the pseudo-language too: longer and accented"},
           {"--format", "text|json", "how findings are printed"},
           {"--pictures", "DIR", "a PNG of every panel in every language"},
-          {"--language", "TAG", "only this language, or all (repeatable)"},
-          {"--panel", "NAME", "only this panel (repeatable)"},
+          {"--language", "TAG", "only this language, or all (repeatable); with --play the one to begin with"},
+          {"--panel", "NAME", "only this panel (repeatable); with --play the one to begin with"},
           {"--at", "10s", "the pictures show this time in a run; the check compares bars and charts with that run"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
