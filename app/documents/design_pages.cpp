@@ -2,6 +2,7 @@
 
 #include "app/panels/text_page.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/text_question.h"
 #include "editor/kit/message_text.h"
 #include "hmi/designer/editors/alarm_editor.h"
 #include "hmi/designer/editors/people_editor.h"
@@ -12,7 +13,6 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QMessageBox>
 #include <QTimer>
 
@@ -106,6 +106,7 @@ bool DesignPages::isUnread(const Key& key) const {
 
 void DesignPages::openPlace(const QString& file, const QString& element) {
     if (file.endsWith(".csv")) return openTexts();
+    if (file.endsWith("recipes.json")) return openRecipes();
     if (!file.endsWith(".panel.json")) return openAlarms();
     const QString panel = QFileInfo(file).fileName().chopped(QString(".panel.json").size());
     openPanel(panel);
@@ -115,14 +116,16 @@ void DesignPages::openPlace(const QString& file, const QString& element) {
 
 void DesignPages::newPanel() {
     if (!m_parts.workspace.isOpen()) return;
-    bool ok = false;
-    const QString name = QInputDialog::getText(&m_parts.window, tr("New Panel"), tr("Name of the panel:"),
-                                               QLineEdit::Normal, tr("overview"), &ok)
-                             .trimmed();
-    if (!ok || name.isEmpty()) return;
-    if (name.contains('/') || name.contains('\\'))
-        return emit message(tr("A panel's name cannot contain / or \\; choose another name"), true);
-    if (auto added = m_parts.live.addPanel(name); !added) return report(added);
+    QString name;
+    const auto add = [&](const QString& text) {
+        if (text.contains('/') || text.contains('\\'))
+            return tr("A panel's name cannot contain / or \\; choose another name");
+        name = text;
+        const auto added = m_parts.live.addPanel(text);
+        return added ? QString() : kit::messageText(added.error());
+    };
+    if (!kit::TextQuestion(tr("New Panel"), tr("Name of the panel:"), tr("overview"), add, &m_parts.window).ask())
+        return;
     openPanel(name);
     if (QWidget* page = m_parts.tabs.pageByKey(kPanel + name)) page->setFocus();
 }

@@ -2,6 +2,7 @@
 
 #include "app/panels/live_views.h"
 #include "editor/kit/message_text.h"
+#include "hmi/station/recipe_transfer.h"
 
 #include <algorithm>
 
@@ -63,6 +64,8 @@ void DesignFindings::continueCheck() {
     std::vector<hmi::Finding> rest = hmi::checkPanels(m_input);
     std::erase_if(rest, [](const hmi::Finding& each) { return each.file.endsWith(".panel.json"); });
     take(std::move(rest));
+    const hmi::PanelProject& project = m_live.panels();
+    take(hmi::recipeFindings(project.recipes, m_live.design()->checked(), project.placeOf(project.recipesPath())));
     std::stable_sort(m_found.begin(), m_found.end(),
                      [](const hmi::Finding& a, const hmi::Finding& b) { return a.isError > b.isError; });
     std::vector<OtherProblem> problems;

@@ -97,4 +97,19 @@ std::vector<RecipeFinding> checkRecipes(const RecipeFile& file, const driver::Ch
     return out;
 }
 
+std::vector<Finding> recipeFindings(const RecipeFile& file, const driver::Checked& checked, const QString& place) {
+    std::vector<Finding> out;
+    if (!checked.analysis) return out;
+    for (RecipeFinding& one : checkRecipes(file, checked))
+        out.push_back({FindingKind::WrongRecipe,
+                       true,
+                       place,
+                       0,
+                       one.set.isEmpty() ? one.recipe : one.recipe + u'/' + one.set,
+                       one.variable,
+                       {},
+                       std::move(one.message)});
+    return out;
+}
+
 } // namespace plc::hmi

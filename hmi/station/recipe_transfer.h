@@ -1,6 +1,7 @@
 // Recipes and a controller: what a set writes, checked as a whole and written in one scan or not at all; what one scan
 // holds, as a set. Functions; main thread.
 #pragma once
+#include "hmi/check/panel_check.h"
 #include "hmi/recipes/recipe_file.h"
 #include "projects/session/run.h"
 #include "runtime/compiler/driver/driver.h"
@@ -24,5 +25,7 @@ struct RecipeFinding {
 };
 /// Unknown variables, values that do not fit, sets with gaps.
 std::vector<RecipeFinding> checkRecipes(const RecipeFile& file, const driver::Checked& checked);
+/// The same as the findings of panels have it; `place`: of the file, for them.
+std::vector<Finding> recipeFindings(const RecipeFile& file, const driver::Checked& checked, const QString& place);
 
 } // namespace plc::hmi

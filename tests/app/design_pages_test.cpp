@@ -19,6 +19,7 @@
 #include <QTimer>
 
 #include "editor/kit/inputs/variable_picker.h"
+#include "hmi/designer/editors/recipe_editor.h"
 #include "tests/support/settle.h"
 
 namespace plc::app {
@@ -167,6 +168,31 @@ TEST_F(DesignPagesTest, ABindingThatBreaksInTheCodeIsAProblemThatLeadsToTheEleme
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
     ASSERT_NE(designer, nullptr);
     EXPECT_TRUE(designer->selection().contains("count"));
+}
+
+TEST_F(DesignPagesTest, ARecipeThatNamesNoVariableIsAProblemThatLeadsToTheRecipes) {
+    ASSERT_TRUE(waitFor([&] { return window->live().design() && window->live().design()->checked().analysis; }));
+    const auto recipeOf = [&](const QByteArray& variable) {
+        write("hmi/recipes.json", R"({"recipes": [{"name": "dough", "variables": [{"variable": ")" + variable +
+                                      R"("}], "sets": [{"name": "rye", "values": {")" + variable + R"(": "5"}}]}]})");
+    };
+    const auto found = [&] { return problemPlaces().filter("hmi/recipes.json"); };
+    recipeOf("Main.nowhere");
+    ASSERT_TRUE(waitFor([&] { return found().size() == 1; })) << problemPlaces().join('\n').toStdString();
+    EXPECT_TRUE(found().front().contains("has no member nowhere")) << found().front().toStdString();
+    QTreeWidget& list = window->problems().list();
+    window->showDock("problems");
+    settle();
+    for (int i = 0; i < list.topLevelItemCount(); ++i)
+        if (list.topLevelItem(i)->text(2).contains("recipes.json")) emit list.itemActivated(list.topLevelItem(i), 0);
+    EXPECT_NE(qobject_cast<hmi::RecipeEditor*>(window->tabs().currentWidget()), nullptr);
+    recipeOf("Main.limit");
+    EXPECT_TRUE(waitFor([&] { return found().isEmpty(); })) << problemPlaces().join('\n').toStdString();
+    window->tabs().openFile("src/main.st");
+    QString text = QString::fromStdString(editor().utf8());
+    const auto size = static_cast<uint32_t>(editor().utf8().size());
+    editor().applyEdits({{{FileId(), 0, size}, text.replace("limit", "bound").toStdString()}});
+    EXPECT_TRUE(waitFor([&] { return found().size() == 1; })) << "by hand in the code alone";
 }
 
 } // namespace

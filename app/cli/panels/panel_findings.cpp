@@ -12,7 +12,8 @@ bool hasPanels(const projects::Project& project) {
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::path(project.folder) / "hmi";
     return !project.panels.empty() || std::filesystem::exists(folder / "texts.csv", ignored) ||
-           std::filesystem::exists(folder / "alarms.json", ignored);
+           std::filesystem::exists(folder / "alarms.json", ignored) ||
+           std::filesystem::exists(folder / "recipes.json", ignored);
 }
 
 void printFindings(const std::vector<hmi::Finding>& findings, std::ostream& out) {

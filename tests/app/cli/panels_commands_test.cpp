@@ -62,6 +62,16 @@ TEST_F(PanelsCommands, ADamagedTraceIsReportedByTheCheckAsWell) {
     EXPECT_EQ((out + err).find("no errors"), std::string::npos) << out << err;
 }
 
+TEST_F(PanelsCommands, ARecipeThatNamesNoVariableIsAnErrorOfTheCheckWithoutAnyPanel) {
+    QDir(QString::fromStdString(path("hmi"))).removeRecursively();
+    QDir().mkpath(QString::fromStdString(path("hmi")));
+    write("hmi/recipes.json", R"({"recipes": [{"name": "dough", "variables": [{"variable": "Main.nowhere"}],
+                               "sets": [{"name": "rye", "values": {"Main.nowhere": "5"}}]}]})");
+    EXPECT_EQ(run("check", {}), 1);
+    EXPECT_NE(err.find("hmi/recipes.json: dough.Main.nowhere: error H1023: "), std::string::npos) << out << err;
+    EXPECT_EQ(out.find("no errors"), std::string::npos) << out;
+}
+
 TEST_F(PanelsCommands, TheCheckReportsWhatAFaceplateIsGiven) {
     (void)run("panel", {"--check"});
     EXPECT_EQ(out.find("error"), std::string::npos) << out;
