@@ -110,6 +110,13 @@ WriterKind kindOf(OutsideKind kind) {
     return WriterKind::Unknown;
 }
 
+/// Of an online change: what the program before did not have has not been carried over.
+bool hadBefore(const history::History& history, history::Position at, const std::string& path) {
+    std::shared_ptr<const image::CompiledProgram> before;
+    if (at > 0) (void)history.seek(at - 1, &before);
+    return !before || before->layout.find(path);
+}
+
 bool covers(uint32_t offset, uint32_t size, int bit, const image::Place& place, uint32_t placeSize) {
     if (offset >= place.offset + placeSize || place.offset >= offset + size) return false;
     return bit < 0 || place.bit < 0 || bit == place.bit;
@@ -139,6 +146,8 @@ std::optional<Writer> Reasoner::outsideWriter(const image::Place& place, Positio
             if (isPrecise || !found || found->kind != WriterKind::Written) found = writer;
         }
     }
+    if (found && found->kind == WriterKind::OnlineChange && !hadBefore(m_insight.history(), at, found->path))
+        found->kind = WriterKind::Initial;
     // A test calls functions from outside, which may or may not have written this: anything else explains it better.
     if (found && found->kind != WriterKind::Test) return found;
     for (const image::ForcedBytes& forced : input->start.forces)

@@ -69,6 +69,23 @@ END_PROGRAM)";
 
 } // namespace
 
+TEST_F(Why, AVariableThatAnOnlineChangeBroughtHasItsInitialValue) {
+    run("PROGRAM Main\nVAR old : INT; END_VAR\nIF old = 0 THEN old := 5; END_IF\nEND_PROGRAM\n");
+    scan(3);
+    session->changeProgram(
+        buildText("PROGRAM Main\nVAR more : INT := 7; old : INT; END_VAR\nIF old = 0 THEN old := 5; END_IF\n"
+                  "END_PROGRAM\n"),
+        nullptr);
+    scan(2);
+    const Explanation added = why("Main.more");
+    EXPECT_EQ(added.value, "7");
+    ASSERT_TRUE(added.writer);
+    EXPECT_EQ(writerWords(*added.writer).english(), "its initial value");
+    const Explanation kept = why("Main.old");
+    ASSERT_TRUE(kept.writer);
+    EXPECT_NE(writerWords(*kept.writer).english(), "its initial value") << "it has moved with its value";
+}
+
 TEST_F(Why, TellsTheTriggerOfALatchFromWhatItNeeded) {
     run(kLatch);
     scan(3);
