@@ -55,14 +55,26 @@ void ChartView::drawVerticalAxis(QPainter& painter, const QRectF& plot, const Ax
     const std::vector<plot::PlotTick> steps =
         plot::numberTicks(axis.from, axis.to, std::max(1, static_cast<int>(plot.height() / (size * 2.8))));
     const QString pattern = format.isEmpty() ? stepFormat(steps) : format;
+    const auto labelOf = [&](double step, double height) {
+        TextBox number = textBox(formatValue(Value::ofReal(step), pattern, locale()),
+                                 QRectF(0, -size, plot.left() - 5, 2 * size), height, TextAlign::End, "");
+        number.rightToLeft = false;
+        return number;
+    };
+    // A value that hardly moves has long numbers: smaller ones, where they would be cut.
+    double widest = 0;
+    for (const auto& [step, inStudio] : steps) {
+        const TextBox number = labelOf(step, size);
+        widest = std::max(widest, neededSize(number).width());
+    }
+    const double room = plot.left() - 7, height = widest > room ? size * room / widest : size;
     for (const auto& [step, inStudio] : steps) {
         const double y = plot.bottom() - axis.share(step) * plot.height();
         painter.setPen(QPen(theme().color("faint"), 1, Qt::SolidLine));
         painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         painter.setPen(theme().color("muted"));
-        TextBox number = textBox(formatValue(Value::ofReal(step), pattern, locale()),
-                                 QRectF(0, y - size, plot.left() - 5, 2 * size), size, TextAlign::End, "");
-        number.rightToLeft = false;
+        TextBox number = labelOf(step, height);
+        number.rect.translate(0, y);
         drawText(painter, number);
     }
 }

@@ -3,6 +3,8 @@
 #include "hmi/view/scene/panel_scene.h"
 
 #include "hmi/view/element_factory.h"
+#include <QBuffer>
+#include <QSvgGenerator>
 #include <gtest/gtest.h>
 
 namespace plc::hmi {
@@ -12,13 +14,13 @@ struct Trend {
     HeldValues values;
     TextCatalog texts;
     PanelScene scene{makeElementView};
-    std::string extra;
+    std::string extra, limits = R"("min": 0, "max": 100, )";
 
     QImage draw(std::vector<CurvePiece> pieces) {
         const Result<Panel> panel = Panel::parse(
             R"({"size": [420, 320], "elements": [{"id": "t", "kind": "trend", "rect": [0, 0, 420, 320], "seconds": 10,
-                "min": 0, "max": 100, "legend": false, "series": [{"value": "x", "color": "#ff0000")" +
-                extra + "}]}]}",
+                )" +
+                limits + R"("legend": false, "series": [{"value": "x", "color": "#ff0000")" + extra + "}]}]}",
             QStringLiteral("p"));
         EXPECT_TRUE(panel) << (panel ? "" : panel.error().english());
         values.set(QStringLiteral("x"), Value::ofReal(50));
@@ -104,6 +106,24 @@ TEST(TrendChart, WhatLeavesTheAxisEndsAtTheFrame) {
         if (top < 0) continue;
         EXPECT_GE(top, 7);
         EXPECT_LT(bottom, 320 - 14);
+    }
+}
+
+TEST(TrendChart, TheNumbersOfAValueThatHardlyMovesAreWhole) {
+    for (const double value : {0.0, 50.0, 1013.25, -98765.4321}) {
+        Trend trend;
+        trend.limits.clear();
+        (void)trend.draw({piece(-10, -5, value, value + 0.0004, value), piece(-5, 0, value, value + 0.0004, value)});
+        QBuffer drawn;
+        QSvgGenerator device;
+        device.setOutputDevice(&drawn);
+        device.setSize({420, 320});
+        QPainter painter(&device);
+        trend.scene.paint(painter, QRectF(0, 0, 420, 320));
+        painter.end();
+        const QString text = QString::fromUtf8(drawn.data());
+        EXPECT_GT(text.count(QStringLiteral("<text ")), 6) << "the device has texts as texts";
+        EXPECT_FALSE(text.contains(u'…')) << value;
     }
 }
 
