@@ -249,9 +249,7 @@ void MainWindow::openSettings() {
 }
 
 void MainWindow::setSpeed() {
-    const SpeedChoice choice = chooseSpeed(this, m_control->mode());
-    if (!choice.refusal.isEmpty()) say(choice.refusal, true);
-    if (choice.mode) m_control->setMode(*choice.mode);
+    if (const auto mode = chooseSpeed(this, m_control->mode())) m_control->setMode(*mode);
 }
 
 void MainWindow::setHistoryBudget() {

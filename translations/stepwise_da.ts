@@ -9835,6 +9835,10 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
 <context>
     <name>plc::app::UnitCommands</name>
     <message>
+        <source>The program is running. To an online change the new name is another variable: it begins with its initial value.</source>
+        <translation>Programmet kører. For en onlineændring er det nye navn en anden variabel: Den begynder med sin startværdi.</translation>
+    </message>
+    <message>
         <source>Go to Line</source>
         <translation>Gå til linje</translation>
     </message>
@@ -11496,6 +11500,10 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
 <context>
     <name>plc::editor::WatchView</name>
     <message>
+        <source>A list %1 already exists; choose another name</source>
+        <translation>Der findes allerede en liste %1; vælg et andet navn</translation>
+    </message>
+    <message>
         <source>Expression</source>
         <translation>Udtryk</translation>
     </message>
@@ -12462,6 +12470,10 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
 <context>
     <name>plc::hmi::TextEditor</name>
     <message>
+        <source>A key %1 already exists; choose another name</source>
+        <translation>Der findes allerede en nøgle %1; vælg et andet navn</translation>
+    </message>
+    <message>
         <source>Only incomplete</source>
         <translation>Kun ufuldstændige</translation>
     </message>
@@ -13220,6 +13232,10 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
 </context>
 <context>
     <name>plc::trace::TraceView</name>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
     <message>
         <source>Trace</source>
         <translation>Trace</translation>

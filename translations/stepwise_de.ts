@@ -9835,6 +9835,10 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
 <context>
     <name>plc::app::UnitCommands</name>
     <message>
+        <source>The program is running. To an online change the new name is another variable: it begins with its initial value.</source>
+        <translation>Das Programm läuft. Für einen Online-Change ist der neue Name eine andere Variable: Sie beginnt mit ihrem Initialwert.</translation>
+    </message>
+    <message>
         <source>Go to Line</source>
         <translation>Gehe zu Zeile</translation>
     </message>
@@ -11496,6 +11500,10 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
 <context>
     <name>plc::editor::WatchView</name>
     <message>
+        <source>A list %1 already exists; choose another name</source>
+        <translation>Eine Liste %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
         <source>Expression</source>
         <translation>Ausdruck</translation>
     </message>
@@ -12462,6 +12470,10 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
 <context>
     <name>plc::hmi::TextEditor</name>
     <message>
+        <source>A key %1 already exists; choose another name</source>
+        <translation>Ein Schlüssel %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
         <source>Only incomplete</source>
         <translation>Nur unvollständige</translation>
     </message>
@@ -13220,6 +13232,10 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
 </context>
 <context>
     <name>plc::trace::TraceView</name>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
     <message>
         <source>Trace</source>
         <translation>Trace</translation>

@@ -9835,6 +9835,10 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
 <context>
     <name>plc::app::UnitCommands</name>
     <message>
+        <source>The program is running. To an online change the new name is another variable: it begins with its initial value.</source>
+        <translation>El programa está en ejecución. Para un cambio online, el nombre nuevo es otra variable: empieza con su valor inicial.</translation>
+    </message>
+    <message>
         <source>Go to Line</source>
         <translation>Ir a la línea</translation>
     </message>
@@ -11496,6 +11500,10 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
 <context>
     <name>plc::editor::WatchView</name>
     <message>
+        <source>A list %1 already exists; choose another name</source>
+        <translation>Ya existe una lista %1; elija otro nombre</translation>
+    </message>
+    <message>
         <source>Expression</source>
         <translation>Expresión</translation>
     </message>
@@ -12462,6 +12470,10 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
 <context>
     <name>plc::hmi::TextEditor</name>
     <message>
+        <source>A key %1 already exists; choose another name</source>
+        <translation>Ya existe una clave %1; elija otro nombre</translation>
+    </message>
+    <message>
         <source>Only incomplete</source>
         <translation>Solo incompletos</translation>
     </message>
@@ -13220,6 +13232,10 @@ Un clic selecciona, Control+clic muestra u oculta.</translation>
 </context>
 <context>
     <name>plc::trace::TraceView</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
     <message>
         <source>Trace</source>
         <translation>Traza</translation>

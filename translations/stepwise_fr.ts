@@ -9835,6 +9835,10 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
 <context>
     <name>plc::app::UnitCommands</name>
     <message>
+        <source>The program is running. To an online change the new name is another variable: it begins with its initial value.</source>
+        <translation>Le programme est en cours d’exécution. Pour une modification en ligne, le nouveau nom désigne une autre variable&#x202f;: elle commence par sa valeur initiale.</translation>
+    </message>
+    <message>
         <source>Go to Line</source>
         <translation>Aller à la ligne</translation>
     </message>
@@ -11496,6 +11500,10 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
 <context>
     <name>plc::editor::WatchView</name>
     <message>
+        <source>A list %1 already exists; choose another name</source>
+        <translation>Une liste %1 existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
         <source>Expression</source>
         <translation>Expression</translation>
     </message>
@@ -12462,6 +12470,10 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
 <context>
     <name>plc::hmi::TextEditor</name>
     <message>
+        <source>A key %1 already exists; choose another name</source>
+        <translation>Une clé %1 existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
         <source>Only incomplete</source>
         <translation>Incomplets seulement</translation>
     </message>
@@ -13220,6 +13232,10 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
 </context>
 <context>
     <name>plc::trace::TraceView</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
     <message>
         <source>Trace</source>
         <translation>Trace</translation>

@@ -9825,6 +9825,10 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
 <context>
     <name>plc::app::UnitCommands</name>
     <message>
+        <source>The program is running. To an online change the new name is another variable: it begins with its initial value.</source>
+        <translation>程序正在运行。对在线修改而言，新名称是另一个变量：它从初始值开始。</translation>
+    </message>
+    <message>
         <source>Go to Line</source>
         <translation>转到行</translation>
     </message>
@@ -11480,6 +11484,10 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
 <context>
     <name>plc::editor::WatchView</name>
     <message>
+        <source>A list %1 already exists; choose another name</source>
+        <translation>列表 %1 已存在；请使用其他名称</translation>
+    </message>
+    <message>
         <source>Expression</source>
         <translation>表达式</translation>
     </message>
@@ -12445,6 +12453,10 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
 <context>
     <name>plc::hmi::TextEditor</name>
     <message>
+        <source>A key %1 already exists; choose another name</source>
+        <translation>键 %1 已存在；请使用其他名称</translation>
+    </message>
+    <message>
         <source>Only incomplete</source>
         <translation>仅不完整的</translation>
     </message>
@@ -13199,6 +13211,10 @@ Click selects, Ctrl+click shows or hides.</source>
 </context>
 <context>
     <name>plc::trace::TraceView</name>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
     <message>
         <source>Trace</source>
         <translation>跟踪</translation>

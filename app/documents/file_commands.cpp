@@ -1,5 +1,6 @@
 #include "app/documents/file_commands.h"
 
+#include "editor/kit/inputs/text_question.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/trash.h"
 #include "editor/trace/setup/trace_setup.h"
@@ -8,7 +9,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QMessageBox>
 #include <QRegularExpression>
 
@@ -61,32 +61,40 @@ bool FileCommands::report(const Result<void>& result) {
 
 void FileCommands::newTrace() {
     if (!m_parts.workspace.isOpen()) return;
-    bool ok = false;
-    const QString name = QInputDialog::getText(&m_parts.window, tr("New Trace"), tr("Name of the trace:"),
-                                               QLineEdit::Normal, tr("trace"), &ok)
-                             .trimmed();
-    if (!ok || name.isEmpty()) return;
-    if (isPath(name)) return emit message(tr("A file name cannot contain / or \\; choose another name"), true);
-    const QString path = pathOf("trace", name);
-    if (QFile::exists(path)) return emit message(tr("A trace %1 already exists; choose another name").arg(name), true);
-    QDir().mkpath(QFileInfo(path).path());
-    if (!report(trace::saveSetup({}, path.toStdString())) || !report(m_parts.workspace.rereadProject())) return;
+    QString name;
+    const auto add = [&](const QString& text) {
+        if (isPath(text)) return tr("A file name cannot contain / or \\; choose another name");
+        const QString path = pathOf("trace", text);
+        if (QFile::exists(path)) return tr("A trace %1 already exists; choose another name").arg(text);
+        QDir().mkpath(QFileInfo(path).path());
+        name = text;
+        const auto saved = trace::saveSetup({}, path.toStdString());
+        return saved ? QString() : kit::messageText(saved.error());
+    };
+    if (!kit::TextQuestion(tr("New Trace"), tr("Name of the trace:"), tr("trace"), add, &m_parts.window).ask()) return;
+    if (!report(m_parts.workspace.rereadProject())) return;
     m_parts.live.openTrace(name);
     emit traceMade();
 }
 
 void FileCommands::rename(const QString& kind, const QString& name) {
-    bool ok = false;
     const QString shown = isSource(kind) ? QFileInfo(name).completeBaseName() : name;
-    const QString chosen = QInputDialog::getText(&m_parts.window, tr("Rename"), tr("New name of %1:").arg(shown),
-                                                 QLineEdit::Normal, shown, &ok)
-                               .trimmed();
-    if (!ok || chosen.isEmpty() || chosen == shown) return;
-    if (isPath(chosen)) return emit message(tr("A file name cannot contain / or \\; choose another name"), true);
-    if (isSource(kind)) return renameSource(name, QFileInfo(name).path() + "/" + chosen + ".st");
+    const auto renamed = [&](const QString& to) {
+        return isSource(kind) ? QFileInfo(name).path() + "/" + to + ".st" : to;
+    };
+    QString chosen;
+    const auto choose = [&](const QString& text) {
+        if (isPath(text)) return tr("A file name cannot contain / or \\; choose another name");
+        chosen = text;
+        const QFileInfo to(pathOf(kind, renamed(text)));
+        return text != shown && to.exists() ? tr("A file %1 already exists; choose another name").arg(to.fileName())
+                                            : QString();
+    };
+    if (!kit::TextQuestion(tr("Rename"), tr("New name of %1:").arg(shown), shown, choose, &m_parts.window).ask() ||
+        chosen == shown)
+        return;
+    if (isSource(kind)) return renameSource(name, renamed(chosen));
     const QString from = pathOf(kind, name), to = pathOf(kind, chosen);
-    if (QFile::exists(to))
-        return emit message(tr("A file %1 already exists; choose another name").arg(QFileInfo(to).fileName()), true);
     if (kind == "panel" && !m_parts.designs.closeAll()) return;
     if (kind == "trace") m_parts.live.saveTrace();
     if (!QFile::rename(from, to))

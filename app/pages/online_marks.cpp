@@ -3,11 +3,11 @@
 #include "app/pages/editor_tabs.h"
 #include "app/pages/fault_cause.h"
 #include "app/pages/instance_bar.h"
+#include "editor/kit/inputs/text_question.h"
 #include "editor/kit/message_text.h"
 #include "runtime/compiler/driver/driver.h"
 
 #include <QApplication>
-#include <QInputDialog>
 #include <QPointer>
 
 #include <algorithm>
@@ -64,13 +64,12 @@ void OnlineMarks::askForValue(const QString& name, const QString& pou, bool forc
     const QString path = pathOrComplain(name, pou);
     if (path.isEmpty()) return;
     const auto shown = m_control.value(path);
-    bool ok = false;
     const QString present = shown.isBool ? (shown.isTrue ? "FALSE" : "TRUE") : shown.text; // a BOOL is to be the other
-    const QString typed = QInputDialog::getText(&m_tabs, force ? EditorTabs::tr("Force") : EditorTabs::tr("Write"),
-                                                path, QLineEdit::Normal, present, &ok);
-    if (!ok || typed.trimmed().isEmpty()) return;
-    const auto done = force ? m_control.force(path, typed.trimmed()) : m_control.write(path, typed.trimmed());
-    if (!done) emit m_tabs.message(kit::messageText(done.error()), true);
+    const auto take = [&](const QString& text) {
+        const auto done = force ? m_control.force(path, text) : m_control.write(path, text);
+        return done ? QString() : kit::messageText(done.error());
+    };
+    kit::TextQuestion(force ? EditorTabs::tr("Force") : EditorTabs::tr("Write"), path, present, take, &m_tabs).ask();
 }
 
 void OnlineMarks::showInstance(StPage& page) {

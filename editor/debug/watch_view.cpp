@@ -3,6 +3,7 @@
 #include "editor/debug/watch_rows.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/inputs/expression_edit.h"
+#include "editor/kit/inputs/text_question.h"
 #include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
@@ -13,7 +14,6 @@
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QMenu>
 #include <QMimeData>
 #include <QScrollBar>
@@ -253,13 +253,20 @@ QWidget* WatchView::makeListChoice() {
     more->setAutoRaise(true);
     more->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(more);
-    const auto asked = [this](const QString& title, const QString& present) {
-        return QInputDialog::getText(this, title, tr("Name of the list:"), QLineEdit::Normal, present).trimmed();
+    const auto ask = [this](const QString& title, const QString& present, auto&& take) {
+        const auto unlessUsed = [&](const QString& name) {
+            if (name != present && listNames().contains(name))
+                return tr("A list %1 already exists; choose another name").arg(name);
+            take(name);
+            return QString();
+        };
+        kit::TextQuestion(title, tr("Name of the list:"), present, unlessUsed, this).ask();
     };
     menu->addAction(kit::icon(kit::Icon::Add), tr("New List…"), this,
-                    [this, asked] { addList(asked(tr("New List"), {})); });
-    menu->addAction(kit::icon(kit::Icon::Rename), tr("Rename the List…"), this,
-                    [this, asked] { renameList(asked(tr("Rename the List"), shownList())); });
+                    [this, ask] { ask(tr("New List"), {}, [this](const QString& name) { addList(name); }); });
+    menu->addAction(kit::icon(kit::Icon::Rename), tr("Rename the List…"), this, [this, ask] {
+        ask(tr("Rename the List"), shownList(), [this](const QString& name) { renameList(name); });
+    });
     menu->addAction(kit::icon(kit::Icon::Delete), tr("Remove the List"), this, &WatchView::removeList);
     more->setMenu(menu);
     row->addWidget(m_listChoice);
@@ -330,6 +337,27 @@ void WatchView::restore(Kept kept) {
     m_shown = kept.shown;
     setRows(std::exchange(m_lists[m_shown].rows, {}));
     showLists();
+}
+
+QStringList WatchView::allExpressions() const {
+    QStringList out = expressions();
+    for (size_t i = 0; i < m_lists.size(); ++i)
+        if (i != m_shown)
+            for (const Row& row : m_lists[i].rows) out << row.expression;
+    return out;
+}
+
+void WatchView::renameExpressions(const std::function<QString(const QString& expression)>& renamed) {
+    Kept now = kept();
+    bool any = false;
+    for (List& list : now.lists)
+        for (Row& row : list.rows) {
+            const QString after = renamed(row.expression);
+            any |= after != row.expression;
+            row.expression = after;
+        }
+    restore(std::move(now));
+    if (any) emit expressionsChanged();
 }
 
 QStringList WatchView::stored() const {

@@ -2,6 +2,7 @@
 // everything.
 #include "app/settings/settings_dialog.h"
 #include "editor/kit/command_palette.h"
+#include "editor/kit/inputs/text_question.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAbstractButton>
@@ -116,7 +117,16 @@ TEST_F(StudioTest, AnySpeedCanBeTypedAndTheStatusLineSaysIt) {
         return false;
     };
     EXPECT_TRUE(waitFor([&] { return shows("7.25 ×"); }, 3000));
-    choose("nonsense");
+    QTimer::singleShot(100, [] {
+        auto* question = qobject_cast<kit::TextQuestion*>(QApplication::activeModalWidget());
+        ASSERT_NE(question, nullptr);
+        question->setTextValue("nonsense");
+        question->accept();
+        EXPECT_TRUE(question->isVisible());
+        EXPECT_EQ(question->complaint(), "The speed is a factor from 0.001 to 10000");
+        question->reject();
+    });
+    window->action("run.speed")->trigger();
     EXPECT_EQ(window->control().mode().factor, 7.25);
 }
 

@@ -2,6 +2,7 @@
 // with a chosen instance; the events come from the window system, so that what a click does first is done here, too.
 #include "app/pages/instance_bar.h"
 #include "editor/debug/debug_views.h"
+#include "editor/kit/inputs/text_question.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -89,6 +90,8 @@ protected:
                  QTest::keyClick(line, Qt::Key_Return);
              });
     }
+    static kit::TextQuestion* question() { return qobject_cast<kit::TextQuestion*>(QApplication::activeModalWidget()); }
+    static bool isComplaining() { return question() && !question()->complaint().isEmpty(); }
     /// The menu that opens next: a click on its entry, or whether it is missing.
     void clickNextMenu(const QString& entry) {
         m_wasOffered = m_wasOpen = false;
@@ -126,6 +129,23 @@ TEST_F(WriteFromTextTest, TheRightButtonWritesTheVariableItIsOnWhereverTheCaretI
     EXPECT_TRUE(waitFor([&] { return text("Main.list[2]") == "7"; })) << "the element that the click is on";
     ASSERT_NO_FATAL_FAILURE(rightClick(at("END_PROGRAM") + 2, "Write a Value…"));
     EXPECT_FALSE(m_wasOffered) << "a keyword has no value, whatever the caret was on before";
+}
+
+TEST_F(WriteFromTextTest, AValueThatIsNoneIsTypedAgainInTheSameDialog) {
+    for (const char* entry : {"Write a Value…", "Force…"}) {
+        typeIntoDialog("much");
+        QString complaint;
+        soon([] { return isComplaining(); },
+             [&complaint] {
+                 complaint = question()->complaint();
+                 typeIntoDialog("8.5"); // what was wrong is selected
+             });
+        ASSERT_NO_FATAL_FAILURE(rightClick(at("speed : REAL") + 1, entry));
+        EXPECT_TRUE(waitFor([&] { return text("Main.speed") == "8.5"; })) << text("Main.speed").toStdString();
+        EXPECT_TRUE(complaint.contains("much")) << complaint.toStdString();
+        EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    }
+    EXPECT_TRUE(waitFor([&] { return isForced("Main.speed"); }));
 }
 
 TEST_F(WriteFromTextTest, ForcesAndReleasesTheInstanceWhoseValuesAreShown) {
@@ -176,10 +196,15 @@ TEST_F(WriteFromTextTest, ARightClickInTheSelectionKeepsIt) {
 }
 
 TEST_F(WriteFromTextTest, AValueThatDoesNotFitIsRefusedAndNothingIsWritten) {
-    const int before = window->log().count();
+    QString complaint;
     typeIntoDialog("hello");
+    soon([] { return isComplaining(); },
+         [&complaint] {
+             complaint = question()->complaint();
+             QTest::keyClick(question(), Qt::Key_Escape);
+         });
     ASSERT_NO_FATAL_FAILURE(rightClick(at("speed : REAL") + 1, "Write a Value…"));
-    EXPECT_TRUE(waitFor([&] { return window->log().count() > before; })) << "it says why";
+    EXPECT_TRUE(waitFor([&] { return !complaint.isEmpty(); })) << "it says why";
     EXPECT_EQ(text("Main.speed").toDouble(), 0);
 }
 

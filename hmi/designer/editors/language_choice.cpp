@@ -1,15 +1,14 @@
 #include "hmi/designer/editors/language_choice.h"
 
+#include "editor/kit/inputs/text_question.h"
 #include "hmi/texts/language.h"
 
 #include <QComboBox>
 #include <QCompleter>
 #include <QCoreApplication>
-#include <QInputDialog>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMap>
-#include <QMessageBox>
 #include <QRegularExpression>
 
 namespace plc::hmi {
@@ -71,27 +70,27 @@ QString whyNot(const QString& typed, const QString& tag) {
 } // namespace
 
 QString askForLanguage(const QStringList& taken, QWidget* parent) {
-    const QString title = QCoreApplication::translate("plc::hmi::TextEditor", "Add a language");
-    const QString label = QCoreApplication::translate("plc::hmi::TextEditor", "Language tag, for example de or zh-CN");
-    const QStringList all = languagesToChoose();
-    QInputDialog dialog(parent);
-    dialog.setWindowTitle(title);
-    dialog.setLabelText(label);
-    dialog.setComboBoxItems(all);
-    dialog.setComboBoxEditable(true);
-    dialog.setTextValue(QStringLiteral("Deutsch (de)"));
+    QString chosen;
+    const auto take = [&](const QString& typed) {
+        const QString tag = languageTagOf(typed);
+        if (tag.isEmpty() || taken.contains(tag)) return whyNot(typed, tag);
+        chosen = tag;
+        return QString();
+    };
+    kit::TextQuestion question(
+        QCoreApplication::translate("plc::hmi::TextEditor", "Add a language"),
+        QCoreApplication::translate("plc::hmi::TextEditor", "Language tag, for example de or zh-CN"), {}, take, parent);
+    question.setComboBoxItems(languagesToChoose());
+    question.setComboBoxEditable(true);
+    question.setTextValue(QStringLiteral("Deutsch (de)"));
     // A list below the field: a name completed in it would take the first Enter, and the place of a tag that is typed.
-    auto* choice = dialog.findChild<QComboBox*>();
+    auto* choice = question.findChild<QComboBox*>();
     choice->completer()->setCompletionMode(QCompleter::PopupCompletion);
     choice->completer()->setFilterMode(Qt::MatchContains);
-    QObject::connect(choice->lineEdit(), &QLineEdit::returnPressed, &dialog, &QDialog::accept);
+    QObject::connect(choice->lineEdit(), &QLineEdit::returnPressed, &question, &QDialog::accept);
     choice->lineEdit()->selectAll();
-    if (dialog.exec() != QDialog::Accepted || choice->currentText().trimmed().isEmpty()) return {};
-    const QString typed = choice->currentText();
-    const QString tag = languageTagOf(typed);
-    if (!tag.isEmpty() && !taken.contains(tag)) return tag;
-    QMessageBox::warning(parent, title, whyNot(typed, tag));
-    return {};
+    question.ask();
+    return chosen;
 }
 
 } // namespace plc::hmi

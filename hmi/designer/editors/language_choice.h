@@ -11,7 +11,7 @@ namespace plc::hmi {
 [[nodiscard]] QStringList languagesToChoose();
 /// The tag of what was chosen or typed: "Deutsch (de)", "german", "DE" → "de"; "" where it is no language.
 [[nodiscard]] QString languageTagOf(const QString& typed);
-/// Asks for one that is not `taken`; "" when it is cancelled, or is none, which is said.
+/// Asks for one that is not `taken`, until it is one; "" when that is cancelled.
 [[nodiscard]] QString askForLanguage(const QStringList& taken, QWidget* parent);
 
 } // namespace plc::hmi

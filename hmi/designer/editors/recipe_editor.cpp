@@ -2,6 +2,7 @@
 
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/text_question.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/editors/edit_bar.h"
@@ -11,7 +12,6 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QSplitter>
@@ -203,10 +203,14 @@ void RecipeEditor::addSet() {
 void RecipeEditor::askForSetName(int column) {
     if (!current()) return;
     if (column < FirstSet) return refuse(tr("Select a cell of the set that is to be renamed."));
-    bool isGiven = false;
-    const QString name = QInputDialog::getText(this, tr("Rename Set"), tr("Name:"), QLineEdit::Normal,
-                                               current()->sets[static_cast<size_t>(column - FirstSet)].name, &isGiven);
-    if (isGiven) renameSet(column, name);
+    const QString present = current()->sets[static_cast<size_t>(column - FirstSet)].name;
+    const auto take = [&](const QString& name) {
+        if (name != present && current()->find(name))
+            return tr("The set \"%1\" already exists; choose another name.").arg(name);
+        renameSet(column, name);
+        return QString();
+    };
+    kit::TextQuestion(tr("Rename Set"), tr("Name:"), present, take, this).ask();
 }
 
 void RecipeEditor::renameSet(int column, const QString& name) {

@@ -3,6 +3,7 @@
 #include "editor/kit/bar_menu.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/inputs/text_question.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/context/arrange.h"
@@ -16,7 +17,6 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -191,8 +191,15 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     m_users->setTextInteractionFlags(Qt::TextSelectableByMouse);
     QToolBar* bar = makeEditBar(m_undo, this);
     bar->addAction(kit::icon(kit::Icon::Add), tr("Add a key"), this, [this] {
-        const QString key = QInputDialog::getText(this, tr("Add a key"), tr("Key"));
-        if (!key.isEmpty()) addKey(key);
+        const auto take = [this](const QString& key) {
+            if (m_model->table().contains(key)) {
+                revealKey(key);
+                return tr("A key %1 already exists; choose another name").arg(key);
+            }
+            addKey(key);
+            return QString();
+        };
+        kit::TextQuestion(tr("Add a key"), tr("Key"), {}, take, this).ask();
     });
     bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected keys"), this, &TextEditor::removeSelected);
     QAction* language = bar->addAction(kit::icon(kit::Icon::Language), tr("Add a language"), this, [this] {
