@@ -126,6 +126,7 @@ TEST(Player, AfterARefusedNumberTheNextDigitBeginsAnother) {
     EXPECT_EQ(keypad->entered().toStdString(), "42");
     QTest::keyClick(keypad, Qt::Key_Return);
     EXPECT_TRUE(machine.waitFor("Main.level = 42.0"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !machine.player->overlay(); }, 8000)) << "it is deleted later";
     // A code that is not whole is completed.
     QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 120));
     keypad = dynamic_cast<Keypad*>(machine.player->overlay());

@@ -10,12 +10,17 @@
 
 namespace plc::kit {
 
+namespace {
+constexpr int kWidth = 340; // pixels, so that a reason has two lines rather than five
+}
+
 TextQuestion::TextQuestion(const QString& title, const QString& label, const QString& present, Take take,
                            QWidget* parent)
     : QInputDialog(parent), m_take(std::move(take)), m_complaint(new QLabel(this)) {
     setWindowTitle(title);
     setLabelText(label);
     setTextValue(present);
+    setMinimumWidth(kWidth);
     m_complaint->setWordWrap(true);
     m_complaint->setTextFormat(Qt::PlainText);
     m_complaint->hide();
