@@ -146,15 +146,14 @@ part "dev: build" build dev
 part "dev: every test" run_tests dev
 part "dev: tests of the shipped examples" run_examples
 if [ "$long" = 1 ]; then
-    say "tests: broken programs at each token, random programs and damaged files at length"
-    long_tests=(random_values random_faults broken_goldens damaged_files)
-    [ -z "${STEPWISE_CORPUS:-}" ] || long_tests=(broken_corpus "${long_tests[@]}")
-    part "dev: broken programs, random programs, damaged files" \
-        side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"
+    # What most often finds something comes first.
     configure asan
     part "asan: build, with the fuzz targets" build asan
+    ! is_built asan || part "asan: every test" run_tests asan
+    configure tsan
+    part "tsan: build" build tsan
+    ! is_built tsan || part "tsan: every test with threads" run_tests tsan
     if is_built asan; then
-        part "asan: every test" run_tests asan
         configure fuzz
         part "fuzz: build" build fuzz "${of_programs[@]}"
         at_once=${FUZZERS:-2}
@@ -164,9 +163,11 @@ if [ "$long" = 1 ]; then
             side_by_side "$at_once" build/fuzz_logs fuzz "${of_programs[@]}" "${of_bytes[@]}"
         part "fuzz: what three of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_programs[@]}"
     fi
-    configure tsan
-    part "tsan: build" build tsan
-    ! is_built tsan || part "tsan: every test with threads" run_tests tsan
+    say "tests: broken programs at each token, random programs and damaged files at length"
+    long_tests=(random_values random_faults broken_goldens damaged_files)
+    [ -z "${STEPWISE_CORPUS:-}" ] || long_tests=(broken_corpus "${long_tests[@]}")
+    part "dev: broken programs, random programs, damaged files" \
+        side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"
     [ ${#failed[@]} -eq 0 ] || { printf 'Failed: %s\n' "${failed[@]}" >&2; exit 1; }
 fi
 say "all tests passed"
