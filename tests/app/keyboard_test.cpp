@@ -71,6 +71,15 @@ protected:
         ASSERT_NE(QApplication::focusWidget(), nullptr);
         QTest::keyClick(QApplication::focusWidget(), static_cast<Qt::Key>(key), modifiers);
     }
+    /// A menu that closes leaves no window active for a moment.
+    void giveFocus(QWidget& place) {
+        QApplication::setActiveWindow(window.get());
+        place.setFocus();
+        ASSERT_TRUE(waitFor([&] {
+            const QWidget* now = QApplication::focusWidget();
+            return now && (now == &place || now == place.focusProxy() || place.isAncestorOf(now));
+        }));
+    }
     /// By its name in the palette, which every command can be found in.
     void command(const QString& name) {
         QApplication::setActiveWindow(window.get()); // a dialog that closes leaves none
@@ -312,8 +321,7 @@ TEST_F(KeyboardTest, WhatRestsUnderThePointerIsShownAtTheCursor) {
 
 TEST_F(KeyboardTest, TheContextMenuIsAboutWhatIsSelected) {
     const auto menuOf = [&](QWidget* place) {
-        QApplication::setActiveWindow(window.get());
-        place->setFocus();
+        giveFocus(*place);
         QStringList entries;
         meanwhile(&QApplication::activePopupWidget, [&](QWidget& shown) {
             for (const QAction* action : shown.actions()) entries << QString(action->text()).remove('&');
@@ -333,11 +341,11 @@ TEST_F(KeyboardTest, TheContextMenuIsAboutWhatIsSelected) {
     menuOf(&window->watch().tree());
     window->tabs().showChart("src/steps.st", "Steps");
     auto* chart = window->tabs().currentPage()->chart()->findChild<QGraphicsView*>();
-    chart->setFocus();
+    giveFocus(*chart);
     press(Qt::Key_Down);
     EXPECT_TRUE(menuOf(chart).filter("Breakpoint").size() == 1) << "a step or a transition is selected";
     auto* ladder = window->tabs().openFile("src/rungs.st")->showLadder("Rungs")->findChild<QGraphicsView*>();
-    ladder->setFocus();
+    giveFocus(*ladder);
     press(Qt::Key_Down);
     press(Qt::Key_Right);
     EXPECT_TRUE(menuOf(ladder).contains("Negate")) << "a contact is selected";
