@@ -176,7 +176,7 @@ public:
         std::string body;
         for (int i = 0; i < 12; ++i) body += statement(3);
         std::string watches;
-        for (int i = 0; i < (m_mayFault ? 12 : 40); ++i) {
+        for (int i = 0; i < (m_mayFault ? 12 : 20); ++i) {
             const std::string type = anyType(), variable = "w" + std::to_string(i);
             const std::string expr = expression(type, 4);
             watched.emplace_back(variable, expr);
