@@ -9867,6 +9867,13 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
         <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
     </message>
     <message numerus="yes">
+        <source>%1 is now %2 in %n place(s); the panels are saved, the sources not yet</source>
+        <translation>
+            <numerusform>%1 hedder nu %2, %n sted; panelerne er gemt, kilderne endnu ikke</numerusform>
+            <numerusform>%1 hedder nu %2, %n steder; panelerne er gemt, kilderne endnu ikke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
             <numerusform>%1 hedder nu %2, %n sted</numerusform>

@@ -9867,6 +9867,13 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
         <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
     </message>
     <message numerus="yes">
+        <source>%1 is now %2 in %n place(s); the panels are saved, the sources not yet</source>
+        <translation>
+            <numerusform>%1 heißt jetzt %2, an %n Stelle; die Panels sind gespeichert, die Quelltexte noch nicht</numerusform>
+            <numerusform>%1 heißt jetzt %2, an %n Stellen; die Panels sind gespeichert, die Quelltexte noch nicht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
             <numerusform>%1 heißt jetzt %2, an %n Stelle</numerusform>

@@ -68,6 +68,13 @@
 <context>
     <name>plc::app::UnitCommands</name>
     <message numerus="yes">
+        <source>%1 is now %2 in %n place(s); the panels are saved, the sources not yet</source>
+        <translation>
+            <numerusform>%1 is now %2 in %n place; the panels are saved, the sources not yet</numerusform>
+            <numerusform>%1 is now %2 in %n places; the panels are saved, the sources not yet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
             <numerusform>%1 is now %2 in %n place</numerusform>

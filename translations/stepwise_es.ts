@@ -9867,6 +9867,13 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
         <translation>El proyecto aún se está comprobando; vuelva a intentarlo en un momento</translation>
     </message>
     <message numerus="yes">
+        <source>%1 is now %2 in %n place(s); the panels are saved, the sources not yet</source>
+        <translation>
+            <numerusform>%1 se llama ahora %2, en %n lugar; los paneles están guardados, el código fuente aún no</numerusform>
+            <numerusform>%1 se llama ahora %2, en %n lugares; los paneles están guardados, el código fuente aún no</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
             <numerusform>%1 se llama ahora %2, en %n lugar</numerusform>

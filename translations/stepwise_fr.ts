@@ -9867,6 +9867,13 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
         <translation>Le projet est encore en cours de vérification&#x202f;; réessayez dans un instant</translation>
     </message>
     <message numerus="yes">
+        <source>%1 is now %2 in %n place(s); the panels are saved, the sources not yet</source>
+        <translation>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroit&#x202f;; les vues sont enregistrées, les sources pas encore</numerusform>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroits&#x202f;; les vues sont enregistrées, les sources pas encore</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
             <numerusform>%1 s’appelle maintenant %2, à %n endroit</numerusform>

@@ -9857,6 +9857,12 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
         <translation>项目仍在检查中；请稍后重试</translation>
     </message>
     <message numerus="yes">
+        <source>%1 is now %2 in %n place(s); the panels are saved, the sources not yet</source>
+        <translation>
+            <numerusform>%1 现在名为 %2，共 %n 处；画面已保存，源程序尚未保存</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
             <numerusform>%1 现在名为 %2，共 %n 处</numerusform>

@@ -196,11 +196,12 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
         edits[QString::fromStdString(model->sources()[each.file].path())] = each.edits;
     size_t places = 0;
     for (const auto& [each, list] : edits) places += list.size();
+    size_t panelPlaces = 0;
     std::function<void(bool)> renamePanels;
     if (hmi::DesignContext* open = m_parts.live.design()) {
         // Panels follow, also when the rename is taken back.
         hmi::DesignContext::NamedVariable before = inPanels(renamedSymbol), after = before;
-        places += open->usesOf(before).size();
+        panelPlaces = open->usesOf(before).size();
         after.path = before.path.isEmpty() ? QString() : before.path.left(before.path.size() - old.size()) + name;
         after.name = name;
         if (before.path.isEmpty() || before.path.endsWith(old, Qt::CaseInsensitive))
@@ -219,7 +220,11 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
     }
     m_parts.tabs.applyEdits(edits, renamePanels);
     if (renamePanels) renamePanels(false);
-    emit message(tr("%1 is now %2 in %n place(s)", nullptr, static_cast<int>(places)).arg(old, name));
+    const auto all = static_cast<int>(places + panelPlaces);
+    emit message((panelPlaces
+                      ? tr("%1 is now %2 in %n place(s); the panels are saved, the sources not yet", nullptr, all)
+                      : tr("%1 is now %2 in %n place(s)", nullptr, all))
+                     .arg(old, name));
 }
 
 void UnitCommands::deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name) {
