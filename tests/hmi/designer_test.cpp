@@ -9,6 +9,7 @@
 #include "hmi/designer/panel_designer.h"
 #include "hmi/designer/sheet/records_dialog.h"
 
+#include "editor/kit/inputs/expression_edit.h"
 #include "editor/kit/inputs/text_question.h"
 #include "editor/kit/inputs/variable_picker.h"
 #include "tests/support/settle.h"
@@ -390,6 +391,27 @@ TEST(Designer, RecordsAreEditedInTheirDialog) {
     EXPECT_EQ(writeCompact(dialog.value()), R"([{"value": "2"}, {"value": "1", "text": "Running", "color": "green"}])");
     dialog.removeRow();
     EXPECT_EQ(dialog.rowCount(), 1);
+}
+
+TEST(Designer, TheTypeOfAParameterIsCompleted) {
+    Studio studio(R"({"id":"m","kind":"multiState","rect":[100,100,160,44]})");
+    const PropertyDescriptor* parameters = panelDescriptor().property("parameters");
+    ASSERT_NE(parameters, nullptr);
+    RecordsDialog dialog(*parameters, Json::array(), *studio.context, {}, nullptr);
+    dialog.addRow();
+    dialog.show();
+    ASSERT_TRUE(dialog.grid().descriptor(QStringLiteral("type")));
+    EXPECT_TRUE(dialog.grid().descriptor(QStringLiteral("type"))->words.contains("Mode")) << "a type of the program";
+    dialog.grid().editProperty(QStringLiteral("type"));
+    auto* line = dialog.grid().findChild<kit::ExpressionEdit*>();
+    ASSERT_TRUE(line);
+    QTest::keyClicks(line, "lre");
+    ASSERT_TRUE(line->isCompletionShown());
+    EXPECT_EQ(line->shownCompletions(), QStringList{"LREAL"});
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(line->text(), "LREAL");
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(writeCompact(dialog.value()), R"([{"type": "LREAL"}])");
 }
 
 TEST(Designer, ThePaletteFindsElementsByWhatTheyAreCalledElsewhere) {

@@ -203,6 +203,13 @@ QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) co
             return askLongText(label, m_grid.value(idOf(m_grid.currentIndex())).toString(), &m_grid);
         });
     case PropertyKind::Text:
+        if (!d.words.isEmpty())
+            line->setCompletionSource([words = d.words](const QString& text, int) {
+                std::vector<Completion> out;
+                for (const QString& word : words.filter(text, Qt::CaseInsensitive))
+                    out.push_back({word, {}, Icon::Variable, 0});
+                return out;
+            });
         if (d.choices.empty()) return line;
         return withButton(Icon::Menu, PropertyGrid::tr("Choose from a list"),
                           [words = d.choices, parent](const QString& list) { return askWord(words, list, parent); });

@@ -46,6 +46,7 @@ struct PropertyDescriptor {
     int decimals = 3;
     QString suffix;
     std::vector<PropertyChoice> choices;
+    QStringList words; // of a text: completed while it is typed
     QString fileFilter;
     QVariant defaultValue; // shown in the plain face; valid: "Reset" is offered
     QString placeholder;

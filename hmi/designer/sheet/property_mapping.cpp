@@ -34,6 +34,21 @@ kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std:
     return row;
 }
 
+/// What a parameter of a faceplate can be: the blocks and types of the program, then simple types.
+QStringList parameterTypes(const driver::Checked& checked) {
+    QStringList out;
+    if (checked.analysis)
+        for (const sema::Symbol& symbol : checked.analysis->symbols)
+            if (symbol.owner.empty() &&
+                (symbol.kind == sema::SymbolKind::FunctionBlock || symbol.kind == sema::SymbolKind::Type))
+                out << QString::fromStdString(symbol.name);
+    out.removeDuplicates();
+    out.sort(Qt::CaseInsensitive);
+    for (const char* simple : {"BOOL", "INT", "DINT", "UINT", "REAL", "LREAL", "TIME", "STRING", "text"})
+        out << QString::fromLatin1(simple);
+    return out;
+}
+
 /// What the project has by name is offered.
 void stringRow(kit::PropertyDescriptor& row, const PropertyDescriptor& property, const DesignContext& context) {
     row.kind = kit::PropertyKind::Text;
@@ -51,6 +66,8 @@ void stringRow(kit::PropertyDescriptor& row, const PropertyDescriptor& property,
         for (const QString& name : themes.names())
             row.choices.push_back(
                 {name, themes.own().count(name) ? name : choiceTitle(property.key, name.toStdString()), {}});
+    } else if (property.key == "type") {
+        row.words = parameterTypes(context.checked());
     }
 }
 
