@@ -419,7 +419,9 @@ class ExampleFlow : public ::testing::TestWithParam<std::string> {};
 TEST_P(ExampleFlow, IsTheValueOfEverySubExpressionWhereItWasComputed) {
     const auto project = projects::openProject({exampleFolder(GetParam())});
     ASSERT_TRUE(project) << project.error().english();
-    constexpr history::Position kScans = 40; // of each test
+    // of each test; with sanitizers, which are after something else, fewer
+    const char* given = std::getenv("STEPWISE_FLOW_SCANS");
+    const history::Position wanted = given ? std::max(1, std::atoi(given)) : 40;
     const bool takesAll = std::getenv("STEPWISE_LONG") != nullptr;
     size_t scans = 0, compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
     plc::testing::Options options;
@@ -427,7 +429,7 @@ TEST_P(ExampleFlow, IsTheValueOfEverySubExpressionWhereItWasComputed) {
         Flow flow(session);
         inside::Insight insight(session.history());
         const history::Statistics all = session.history().statistics();
-        const history::Position step = takesAll ? 1 : std::max<history::Position>(1, (all.end - all.first) / kScans);
+        const history::Position step = takesAll ? 1 : std::max<history::Position>(1, (all.end - all.first) / wanted);
         for (history::Position at = all.first; at < all.end; at += step) {
             const auto look = insight.look(at);
             if (!look) continue; // the first one of an evicted recording
