@@ -44,7 +44,9 @@ std::optional<Operand> compareAddresses(Context& context, const Operation& o, co
     const bool isEquality = o.op == BinaryOp::Equal || o.op == BinaryOp::NotEqual;
     // p = 0 asks whether p points anywhere; the code for that knows references and interfaces as well.
     if (isEquality && (isConstantZero(a) || isConstantZero(b))) {
-        const Operand null = isNull(context, isConstantZero(a) ? b : a, o.range);
+        const Operand& asked = isConstantZero(a) ? b : a;
+        if (context.types.family(asked.type()) == Family::Real) return std::nullopt; // has no address: r = NULL
+        const Operand null = isNull(context, asked, o.range);
         return o.op == BinaryOp::Equal ? null : inverted(context, null, o.range);
     }
     const bool good = (isAddress(x) && isAddress(y)) || (x == TypeKind::Pointer && isNumeric(context, b.type())) ||
