@@ -45,7 +45,7 @@ std::optional<Operand> compareAddresses(Context& context, const Operation& o, co
     // p = 0 asks whether p points anywhere; the code for that knows references and interfaces as well.
     if (isEquality && (isConstantZero(a) || isConstantZero(b))) {
         const Operand& asked = isConstantZero(a) ? b : a;
-        if (context.types.family(asked.type()) == Family::Real) return std::nullopt; // has no address: r = NULL
+        if (!isAddress(context.types.kind(asked.type()))) return std::nullopt; // r = NULL: r has no address
         const Operand null = isNull(context, asked, o.range);
         return o.op == BinaryOp::Equal ? null : inverted(context, null, o.range);
     }
