@@ -402,8 +402,9 @@ TEST(FaceplateDesigner, ThePaletteOffersTheProjectsAndTheReadyOnesAndRefusesOneI
 
 TEST(FaceplateDesigner, ARenamedVariableIsRenamedInArguments) {
     Studio studio(kOne);
-    EXPECT_EQ(studio.context.usesOfVariable(QStringLiteral("Main.gates")).size(), 1u);
-    EXPECT_TRUE(studio.context.renameVariable(QStringLiteral("Main.gates"), QStringLiteral("Main.doors")));
+    const DesignContext::NamedVariable gates{QStringLiteral("Main.gates"), QStringLiteral("gates"), {}};
+    EXPECT_EQ(studio.context.usesOf(gates).size(), 1u);
+    EXPECT_TRUE(studio.context.rename(gates, QStringLiteral("doors")));
     EXPECT_EQ(argumentsOf(studio.panel().find(QStringLiteral("g"))->at("arguments")).value("gate").toStdString(),
               "Main.doors[1]");
 }

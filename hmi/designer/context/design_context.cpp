@@ -347,14 +347,6 @@ DesignContext::Renamed DesignContext::renamer(const NamedVariable& variable, con
     };
 }
 
-bool DesignContext::renameVariable(const QString& from, const QString& to) {
-    return renameExpressions(tr("Rename %1").arg(from), renamer({from, {}, {}}, to, {}));
-}
-
-std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QString& path) const {
-    return expressionsThat(renamer({path, {}, {}}, QStringLiteral("_"), {}));
-}
-
 namespace {
 QString pathAfter(const DesignContext::NamedVariable& variable, const QString& newName) {
     return variable.path.left(variable.path.size() - variable.name.size()) + newName;

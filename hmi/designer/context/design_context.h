@@ -86,8 +86,6 @@ public:
     /// A step of an editor of recipes or people, and the panels' names that follow in it. Whoever pushes it owns it.
     QUndoCommand* newEdit(const QString& title, std::function<void()> forward, std::function<void()> back,
                           const NamesInPanels& names);
-    /// A variable that has a path was renamed in the code: panels, alarms and recipes follow.
-    bool renameVariable(const QString& from, const QString& to);
     /// Where panels and alarms name a variable.
     struct VariableUse {
         QString file; // "hmi/main.panel.json"
@@ -95,7 +93,6 @@ public:
         QString property, expression;
         bool isWrite = false;
     };
-    std::vector<VariableUse> usesOfVariable(const QString& path) const;
     /// How panels, alarms and recipes name a variable of the code: by its path from the top, or as a member behind the
     /// paths of instances and of parameters of faceplates.
     struct NamedVariable {
