@@ -204,23 +204,17 @@ void RecipeEditor::askForSetName(int column) {
     if (!current()) return;
     if (column < FirstSet) return refuse(tr("Select a cell of the set that is to be renamed."));
     const QString present = current()->sets[static_cast<size_t>(column - FirstSet)].name;
-    const auto take = [&](const QString& name) {
-        if (name != present && current()->find(name))
-            return tr("The set \"%1\" already exists; choose another name.").arg(name);
-        renameSet(column, name);
-        return QString();
-    };
+    const auto take = [&](const QString& name) { return renameSet(column, name); };
     kit::TextQuestion(tr("Rename Set"), tr("Name:"), present, take, this).ask();
 }
 
-void RecipeEditor::renameSet(int column, const QString& name) {
+QString RecipeEditor::renameSet(int column, const QString& name) {
     const Recipe* recipe = current();
     const auto index = static_cast<size_t>(column - FirstSet);
-    const QString wanted = name.trimmed();
-    if (!recipe || column < FirstSet || index >= recipe->sets.size() || recipe->sets[index].name == wanted) return;
-    if (wanted.isEmpty()) return refuse(tr("A set needs a name."));
-    if (recipe->find(wanted)) return refuse(tr("The set \"%1\" already exists; choose another name.").arg(wanted));
-    edit(tr("Rename Set"), [&](Recipe& changed) { changed.sets[index].name = wanted; });
+    if (!recipe || column < FirstSet || index >= recipe->sets.size() || recipe->sets[index].name == name) return {};
+    if (recipe->find(name)) return tr("The set \"%1\" already exists; choose another name.").arg(name);
+    edit(tr("Rename Set"), [&](Recipe& changed) { changed.sets[index].name = name; });
+    return {};
 }
 
 void RecipeEditor::removeSelected() {

@@ -26,7 +26,8 @@ public:
     void addRecipe();
     void addVariable(const QString& path);
     void addSet();
-    void renameSet(int column, const QString& name);
+    /// What is wrong with the name, which is not empty and has no blanks around it; "" when the set has it.
+    [[nodiscard]] QString renameSet(int column, const QString& name);
     /// The column of the current cell where that is a set's, else its row.
     void removeSelected();
     void removeRecipe();
