@@ -1,5 +1,6 @@
 #include "app/project/rename_dialog.h"
 
+#include "editor/kit/inputs/complaint.h"
 #include "editor/kit/theme.h"
 
 #include <QDialogButtonBox>
@@ -15,7 +16,7 @@ namespace plc::app {
 RenameDialog::RenameDialog(const QString& old, const std::vector<Place>& places, const QString& note, Check check,
                            QWidget* parent)
     : QDialog(parent), m_check(std::move(check)), m_old(old), m_name(new QLineEdit(old, this)),
-      m_places(new QTreeWidget(this)), m_complaint(new QLabel(this)) {
+      m_places(new QTreeWidget(this)), m_complaint(new kit::Complaint(this)) {
     setWindowTitle(tr("Rename"));
     resize(720, 420);
     auto* label = new QLabel(tr("New name of %1, in the whole project:").arg(old), this);
@@ -38,10 +39,7 @@ RenameDialog::RenameDialog(const QString& old, const std::vector<Place>& places,
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(label);
     layout->addWidget(m_name);
-    m_complaint->setWordWrap(true);
-    m_complaint->hide();
-    connect(m_name, &QLineEdit::textChanged, m_complaint, &QLabel::hide);
-    connect(m_name, &QLineEdit::textChanged, m_complaint, &QLabel::clear);
+    connect(m_name, &QLineEdit::textChanged, m_complaint, [this] { m_complaint->say({}, m_name); });
     layout->addWidget(m_complaint);
     if (!note.isEmpty()) {
         auto* more = new QLabel(note, this);
@@ -62,14 +60,7 @@ void RenameDialog::accept() {
     if (name().isEmpty()) return;
     const QString complaint = name() == m_old ? QString() : m_check(name());
     if (complaint.isEmpty()) return QDialog::accept();
-    QPalette palette = m_complaint->palette();
-    palette.setColor(QPalette::WindowText, kit::colors().bad);
-    m_complaint->setPalette(palette);
-    m_complaint->setText(complaint);
-    m_complaint->show();
-    m_name->setAccessibleDescription(complaint);
-    m_name->setFocus();
-    m_name->selectAll();
+    m_complaint->say(complaint, m_name);
 }
 
 } // namespace plc::app

@@ -5,10 +5,12 @@
 #include <functional>
 #include <vector>
 
-class QLabel;
 class QLineEdit;
 class QTreeWidget;
 
+namespace plc::kit {
+class Complaint;
+}
 namespace plc::app {
 
 class RenameDialog : public QDialog {
@@ -32,7 +34,7 @@ private:
     QString m_old;
     QLineEdit* m_name;
     QTreeWidget* m_places;
-    QLabel* m_complaint;
+    kit::Complaint* m_complaint;
 };
 
 } // namespace plc::app

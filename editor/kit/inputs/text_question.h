@@ -5,9 +5,9 @@
 
 #include <functional>
 
-class QLabel;
-
 namespace plc::kit {
+
+class Complaint;
 
 class TextQuestion : public QInputDialog {
     Q_OBJECT
@@ -23,9 +23,8 @@ public:
     void done(int result) override;
 
 private:
-    void complain(const QString& text);
     Take m_take;
-    QLabel* m_complaint;
+    Complaint* m_complaint;
 };
 
 } // namespace plc::kit
