@@ -12,17 +12,10 @@ inline double processorSeconds() {
 
 /// "At once" for somebody who asks a program to stop: half a second, of which the scan itself may take 0.2 s. Code with
 /// sanitizers is slower, and several threads work at the same time.
-#ifdef __has_feature // how clang says it
-#define PLC_HAS_FEATURE(name) __has_feature(name)
-#else
-#define PLC_HAS_FEATURE(name) 0
-#endif
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__) || PLC_HAS_FEATURE(address_sanitizer) ||             \
-    PLC_HAS_FEATURE(thread_sanitizer)
+#ifdef PLC_SANITIZED
 inline constexpr double kAtOnceSeconds = 5;
 #else
 inline constexpr double kAtOnceSeconds = 0.5;
 #endif
-#undef PLC_HAS_FEATURE
 
 } // namespace plc
