@@ -12431,10 +12431,6 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
         <translation>Der er allerede en recept ”%1”; vælg et andet navn.</translation>
     </message>
     <message>
-        <source>A set needs a name.</source>
-        <translation>Et sæt skal have et navn.</translation>
-    </message>
-    <message>
         <source>The set &quot;%1&quot; already exists; choose another name.</source>
         <translation>Der er allerede et sæt ”%1”; vælg et andet navn.</translation>
     </message>

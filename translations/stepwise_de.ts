@@ -12431,10 +12431,6 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
         <translation>Eine Rezeptur „%1“ ist bereits vorhanden; wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>A set needs a name.</source>
-        <translation>Ein Datensatz braucht einen Namen.</translation>
-    </message>
-    <message>
         <source>The set &quot;%1&quot; already exists; choose another name.</source>
         <translation>Ein Datensatz „%1“ ist bereits vorhanden; wählen Sie einen anderen Namen.</translation>
     </message>

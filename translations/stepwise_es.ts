@@ -12431,10 +12431,6 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
         <translation>Ya existe una receta «%1»; elija otro nombre.</translation>
     </message>
     <message>
-        <source>A set needs a name.</source>
-        <translation>Un juego de valores necesita un nombre.</translation>
-    </message>
-    <message>
         <source>The set &quot;%1&quot; already exists; choose another name.</source>
         <translation>Ya existe un juego de valores «%1»; elija otro nombre.</translation>
     </message>

@@ -12431,10 +12431,6 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
         <translation>Une recette «&#xa0;%1&#xa0;» existe déjà&#x202f;; choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>A set needs a name.</source>
-        <translation>Un jeu de valeurs doit avoir un nom.</translation>
-    </message>
-    <message>
         <source>The set &quot;%1&quot; already exists; choose another name.</source>
         <translation>Un jeu de valeurs «&#xa0;%1&#xa0;» existe déjà&#x202f;; choisissez un autre nom.</translation>
     </message>

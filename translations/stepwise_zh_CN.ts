@@ -12413,10 +12413,6 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
         <translation>已存在配方“%1”；请使用其他名称。</translation>
     </message>
     <message>
-        <source>A set needs a name.</source>
-        <translation>数据组需要名称。</translation>
-    </message>
-    <message>
         <source>The set &quot;%1&quot; already exists; choose another name.</source>
         <translation>已存在数据组“%1”；请使用其他名称。</translation>
     </message>

@@ -116,8 +116,11 @@ TEST(Player, AfterARefusedNumberTheNextDigitBeginsAnother) {
     Machine machine(
         R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level","minimum":"0","maximum":"50"},{"id":"p","kind":"maskedEntry","rect":[10,100,140,44],"target":"Main.name","mask":"##"})");
     ASSERT_TRUE(machine.waitFor("Main.count > 2"));
-    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 30));
-    auto* keypad = dynamic_cast<Keypad*>(machine.player->overlay());
+    const auto opened = [&](int y) {
+        QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, y));
+        return dynamic_cast<Keypad*>(machine.player->overlay());
+    };
+    Keypad* keypad = opened(30);
     ASSERT_TRUE(keypad);
     QTest::keyClicks(keypad, "99");
     QTest::keyClick(keypad, Qt::Key_Return);
@@ -128,8 +131,7 @@ TEST(Player, AfterARefusedNumberTheNextDigitBeginsAnother) {
     EXPECT_TRUE(machine.waitFor("Main.level = 42.0"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !machine.player->overlay(); }, 8000)) << "it is deleted later";
     // A code that is not whole is completed.
-    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 120));
-    keypad = dynamic_cast<Keypad*>(machine.player->overlay());
+    keypad = opened(120);
     ASSERT_TRUE(keypad);
     QTest::keyClicks(keypad, "4");
     QTest::keyClick(keypad, Qt::Key_Return);

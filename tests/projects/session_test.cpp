@@ -73,6 +73,13 @@ template <class T> T shown(const Session& session, uint32_t offset) {
 RunMode real() { return {Pace::Real, 1.0}; }
 RunMode fastest() { return {Pace::Fastest, 1.0}; }
 
+Breakpoint atLineOne() {
+    Breakpoint breakpoint;
+    breakpoint.file = FileId(0u);
+    breakpoint.line = 1;
+    return breakpoint;
+}
+
 TEST(Session, SteppedByTheCallerItRunsUntilItIsToldToStop) {
     Session session(program());
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 100; });
@@ -172,9 +179,7 @@ TEST(Session, ForcesRefusalsAndEventsCanBeSeen) {
 TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
     Session session(program());
     session.startThread(real());
-    Breakpoint breakpoint;
-    breakpoint.file = FileId(0u);
-    breakpoint.line = 1;
+    const Breakpoint breakpoint = atLineOne();
     session.setBreakpoints({breakpoint});
     ASSERT_TRUE(
         eventually([&] { return session.status().state == PlcState::Halted && !session.haltFrames().empty(); }));
@@ -210,9 +215,7 @@ TEST(Session, TheTimeAtABreakpointIsNotTheScans) {
     using namespace std::chrono_literals;
     Session session(program());
     session.startThread(real());
-    Breakpoint breakpoint;
-    breakpoint.file = FileId(0u);
-    breakpoint.line = 1;
+    const Breakpoint breakpoint = atLineOne();
     session.setBreakpoints({breakpoint});
     ASSERT_TRUE(eventually([&] { return session.status().state == PlcState::Halted; }));
     constexpr auto stood = 500ms;
