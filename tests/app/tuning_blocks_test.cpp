@@ -147,7 +147,9 @@ protected:
         ASSERT_TRUE(expression && moved);
         const auto changed = session.history().findChange(*expression, session.recompile(gain), begin,
                                                           history::History::Direction::Forward);
-        ASSERT_TRUE(changed) << "change " << change << ": recorded from " << session.history().statistics().first;
+        const history::Statistics recorded = session.history().statistics();
+        ASSERT_TRUE(changed) << "change " << change << " behind " << begin << ": recorded from " << recorded.first
+                             << " to " << recorded.end;
         double there = 0, around = 0, last = 0;
         const auto samples =
             session.history().samples(*moved, session.recompile(output), *changed - 1000, *changed + 1000);
