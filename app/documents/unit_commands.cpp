@@ -182,6 +182,26 @@ void UnitCommands::renameSymbol(const QString& file, uint32_t offset) {
     renameTo(file, offset, dialog.name());
 }
 
+std::function<void(bool)> UnitCommands::followers(const hmi::DesignContext::NamedVariable& before,
+                                                  const QString& name) const {
+    if (!before.path.isEmpty() && !before.path.endsWith(before.name, Qt::CaseInsensitive)) return {};
+    hmi::DesignContext::NamedVariable after = before;
+    after.path = hmi::DesignContext::renamed({before.path, before.name, {}}, name, before.path);
+    after.name = name;
+    return [this, before, after](bool back) {
+        hmi::DesignContext* design = m_parts.live.design();
+        if (!design) return;
+        const hmi::DesignContext::NamedVariable& from = back ? after : before;
+        const QString& to = back ? before.name : after.name;
+        const auto renamed = [&](const QString& expression) {
+            return hmi::DesignContext::renamed(from, to, expression);
+        };
+        m_parts.watch.renameExpressions(renamed);
+        m_parts.live.traceView().renameExpressions(renamed);
+        if (design->rename(from, to)) (void)design->save();
+    };
+}
+
 void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString& name) {
     const auto model = m_parts.workspace.presentModel();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
@@ -197,29 +217,14 @@ void UnitCommands::renameTo(const QString& file, uint32_t offset, const QString&
     size_t places = 0;
     for (const auto& [each, list] : edits) places += list.size();
     size_t panelPlaces = 0;
-    std::function<void(bool)> renamePanels;
-    if (hmi::DesignContext* open = m_parts.live.design()) {
-        // Panels follow, also when the rename is taken back.
-        hmi::DesignContext::NamedVariable before = inPanels(renamedSymbol), after = before;
-        panelPlaces = open->usesOf(before).size();
-        after.path = before.path.isEmpty() ? QString() : before.path.left(before.path.size() - old.size()) + name;
-        after.name = name;
-        if (before.path.isEmpty() || before.path.endsWith(old, Qt::CaseInsensitive))
-            renamePanels = [this, before, after](bool back) {
-                hmi::DesignContext* design = m_parts.live.design();
-                if (!design) return;
-                const hmi::DesignContext::NamedVariable& from = back ? after : before;
-                const QString& to = back ? before.name : after.name;
-                const auto renamed = [&](const QString& expression) {
-                    return hmi::DesignContext::renamed(from, to, expression);
-                };
-                m_parts.watch.renameExpressions(renamed);
-                m_parts.live.traceView().renameExpressions(renamed);
-                if (design->rename(from, to)) (void)design->save();
-            };
+    std::function<void(bool)> follow;
+    if (const hmi::DesignContext* design = m_parts.live.design()) {
+        const hmi::DesignContext::NamedVariable before = inPanels(renamedSymbol);
+        panelPlaces = design->usesOf(before).size();
+        follow = followers(before, name);
     }
-    m_parts.tabs.applyEdits(edits, renamePanels);
-    if (renamePanels) renamePanels(false);
+    m_parts.tabs.applyEdits(edits, follow);
+    if (follow) follow(false);
     const auto all = static_cast<int>(places + panelPlaces);
     emit message((panelPlaces
                       ? tr("%1 is now %2 in %n place(s); the panels are saved, the sources not yet", nullptr, all)

@@ -57,6 +57,10 @@ private:
     void addTo(const QString& file, const std::string& text);
     /// What names variables beside the code and the panels: watch lists and the set-up of the trace.
     [[nodiscard]] QStringList watched() const;
+    /// Renames what names the variable beside the sources: panels, alarms, recipes, watch lists and the trace; or, with
+    /// true, takes that back. Empty where its path does not end with its name.
+    [[nodiscard]] std::function<void(bool)> followers(const hmi::DesignContext::NamedVariable& before,
+                                                      const QString& name) const;
     /// What the running controller makes of the new name, in words; "" while none runs.
     [[nodiscard]] QString noteOnRunning(const sema::Symbol& symbol) const;
 

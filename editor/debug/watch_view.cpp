@@ -356,8 +356,9 @@ void WatchView::renameExpressions(const std::function<QString(const QString& exp
             any |= after != row.expression;
             row.expression = after;
         }
+    if (!any) return; // the rows stay as they are, with what is selected and unfolded
     restore(std::move(now));
-    if (any) emit expressionsChanged();
+    emit expressionsChanged();
 }
 
 QStringList WatchView::stored() const {
