@@ -71,6 +71,7 @@ TEST_F(TextQuestionTest, NothingIsNoAnswerAndTheReasonIsReadWhole) {
     auto* line = question.findChild<QLineEdit*>();
     auto* ok = question.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
     EXPECT_TRUE(ok->isEnabled());
+    EXPECT_GE(question.width(), 340) << "so that a reason has two lines rather than five";
     line->clear();
     EXPECT_FALSE(ok->isEnabled());
     QTest::keyClicks(line, "  ");
@@ -86,6 +87,16 @@ TEST_F(TextQuestionTest, NothingIsNoAnswerAndTheReasonIsReadWhole) {
         << below->height() << " of " << below->heightForWidth(below->width());
     EXPECT_EQ(line->accessibleDescription(), reason);
     EXPECT_EQ(line->selectedText(), "  x");
+}
+
+TEST_F(TextQuestionTest, AQuestionThatBeginsEmptyCannotBeAnsweredYet) {
+    kit::TextQuestion question(
+        "Title", "Label", {}, [](const QString&) { return QString(); }, window.get());
+    question.show();
+    auto* ok = question.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    EXPECT_FALSE(ok->isEnabled());
+    QTest::keyClicks(question.findChild<QLineEdit*>(), "x");
+    EXPECT_TRUE(ok->isEnabled());
 }
 
 } // namespace

@@ -21,14 +21,18 @@ TextQuestion::TextQuestion(const QString& title, const QString& label, const QSt
     setWindowTitle(title);
     setLabelText(label);
     setTextValue(present);
-    setMinimumWidth(kWidth);
     (void)sizeHint(); // Qt makes the layout here
     if (auto* column = qobject_cast<QVBoxLayout*>(layout())) column->insertWidget(column->count() - 1, m_complaint);
-    connect(this, &QInputDialog::textValueChanged, this, [this](const QString& text) {
+    layout()->setSizeConstraint(QLayout::SetDefaultConstraint); // Qt's own lets nobody widen it
+    setMinimumSize(kWidth, 0);
+    setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+    const auto changed = [this](const QString& text) {
         if (auto* buttons = findChild<QDialogButtonBox*>())
             if (QPushButton* ok = buttons->button(QDialogButtonBox::Ok)) ok->setEnabled(!text.trimmed().isEmpty());
         m_complaint->say({}, findChild<QLineEdit*>());
-    });
+    };
+    changed(present);
+    connect(this, &QInputDialog::textValueChanged, this, changed);
 }
 
 QString TextQuestion::complaint() const { return m_complaint->text(); }
