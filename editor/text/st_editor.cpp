@@ -143,7 +143,10 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
 void StEditor::applyTheme() {
     const kit::ThemeColors& c = kit::colors();
     m_lexer->applyTheme();
-    setLexer(m_lexer);
+    const QList<int> folded = contractedFolds();
+    setLexer(m_lexer); // forgets the folds
+    updateFolding();
+    setContractedFolds(folded);
     SendScintilla(S::SCI_STYLESETFORE, static_cast<unsigned long>(S::STYLE_DEFAULT), c.text); // the lexer's first stays
     setCaretForegroundColor(c.text);
     QColor line = c.accent;

@@ -3,6 +3,7 @@
 #include "app/settings/settings_dialog.h"
 #include "editor/kit/command_palette.h"
 #include "editor/kit/inputs/text_question.h"
+#include "editor/kit/theme.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAbstractButton>
@@ -128,6 +129,21 @@ TEST_F(StudioTest, AnySpeedCanBeTypedAndTheStatusLineSaysIt) {
     });
     window->action("run.speed")->trigger();
     EXPECT_EQ(window->control().mode().factor, 7.25);
+}
+
+TEST_F(StudioTest, FoldsStayAsTheyAreWhenTheColoursChange) {
+    using S = QsciScintillaBase;
+    const auto isHeader = [&] {
+        return (editor().SendScintilla(S::SCI_GETFOLDLEVEL, 1ul) & S::SC_FOLDLEVELHEADERFLAG) != 0; // of VAR
+    };
+    ASSERT_TRUE(waitFor(isHeader));
+    editor().foldLine(1);
+    ASSERT_EQ(editor().contractedFolds(), QList<int>{1});
+    for (const kit::ThemeChoice choice : {kit::ThemeChoice::Dark, kit::ThemeChoice::Light}) {
+        kit::Theme::current().setChoice(choice);
+        EXPECT_TRUE(isHeader());
+        EXPECT_EQ(editor().contractedFolds(), QList<int>{1});
+    }
 }
 
 TEST_F(StudioTest, ASpeedIsTypedAndTakenByOneEnter) {
