@@ -24,7 +24,8 @@ TextQuestion::TextQuestion(const QString& title, const QString& label, const QSt
     (void)sizeHint(); // Qt makes the layout here
     if (auto* column = qobject_cast<QVBoxLayout*>(layout())) column->insertWidget(column->count() - 1, m_complaint);
     layout()->setSizeConstraint(QLayout::SetDefaultConstraint); // Qt's own lets nobody widen it
-    setMinimumSize(kWidth, 0);
+    setMinimumSize(0, 0); // the layout's: a long label is not cut, whatever the size of the letters
+    if (auto* line = findChild<QLineEdit*>()) line->setMinimumWidth(kWidth);
     setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
     const auto changed = [this](const QString& text) {
         if (auto* buttons = findChild<QDialogButtonBox*>())
