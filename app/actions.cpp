@@ -55,6 +55,7 @@ const std::vector<ActionSpec> kActions = {
     {"file.alarms", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Alarms"), "", drawn(Icon::Alarm), [](MainWindow& w) { w.designs().openAlarms(); }},
     {"file.recipes", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Recipes"), "", drawn(Icon::Table), [](MainWindow& w) { w.designs().openRecipes(); }},
     {"file.people", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Users and Rights"), "", drawn(Icon::User), [](MainWindow& w) { w.designs().openPeople(); }},
+    {"file.themes", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Panel Themes…"), "", drawn(Icon::Theme), [](MainWindow& w) { w.designs().editThemes(); }},
     {"file.save", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save"), "Ctrl+S", drawn(Icon::Save), [](MainWindow& w) { w.designs().save(); }},
     {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.designs().saveAll(); }},
     {"file.closeTab", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Document"), "Ctrl+W", none, [](MainWindow& w) { if (w.tabs().count()) w.tabs().closePage(w.tabs().currentIndex()); }},

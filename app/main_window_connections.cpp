@@ -109,6 +109,7 @@ void MainWindow::connectTree() {
     connect(m_tree, &ProjectTree::alarmsRequested, m_designs, &DesignPages::openAlarms);
     connect(m_tree, &ProjectTree::recipesRequested, m_designs, &DesignPages::openRecipes);
     connect(m_tree, &ProjectTree::peopleRequested, m_designs, &DesignPages::openPeople);
+    connect(m_tree, &ProjectTree::themesRequested, m_designs, [this] { m_designs->editThemes(); });
     connect(m_tree, &ProjectTree::devicesRequested, this, [this] { showDock("devices"); });
 }
 

@@ -8724,6 +8724,10 @@ Under Problemer står, hvad der er galt; et dobbeltklik der åbner filen som tek
         <source>Project Settings…</source>
         <translation>Projektindstillinger…</translation>
     </message>
+    <message>
+        <source>Panel Themes…</source>
+        <translation>Panelernes temaer…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9358,6 +9362,10 @@ Under Problemer står, hvad der er galt; et dobbeltklik der åbner filen som tek
     <message>
         <source>Devices</source>
         <translation>Enheder</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Panelernes temaer</translation>
     </message>
 </context>
 <context>
@@ -11923,6 +11931,10 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
         <source>Alarms</source>
         <translation>Alarmer</translation>
     </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Omdøb tema</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::Outline</name>
@@ -12183,6 +12195,10 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
     <message>
         <source>Lay out</source>
         <translation>Anbring</translation>
+    </message>
+    <message>
+        <source>Edit Themes…</source>
+        <translation>Rediger temaer…</translation>
     </message>
 </context>
 <context>
@@ -12654,6 +12670,128 @@ Installér eksemplerne, eller sæt miljøvariablen STEPWISE_EXAMPLES til den map
     <message>
         <source>Text</source>
         <translation>Tekst</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ThemeDialog</name>
+    <message>
+        <source>Grounds, lines and texts</source>
+        <translation>Baggrunde, linjer og tekster</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Proces</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Colours by name</source>
+        <translation>Farver efter navn</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurver</translation>
+    </message>
+    <message>
+        <source>Based on</source>
+        <translation>Baseret på</translation>
+    </message>
+    <message>
+        <source>Colours that this theme does not change are those of the base.</source>
+        <translation>Farver, som dette tema ikke ændrer, er basens.</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Panelernes temaer</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Forhåndsvisning</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farver</translation>
+    </message>
+    <message>
+        <source>Base of the Theme</source>
+        <translation>Temaets base</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Ny…</translation>
+    </message>
+    <message>
+        <source>New Theme</source>
+        <translation>Nyt tema</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Omdøb…</translation>
+    </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Omdøb tema</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Name of the theme:</source>
+        <translation>Temaets navn:</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name cannot contain %1; choose another name</source>
+        <translation>Et temas navn må ikke indeholde %1; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name begins with a letter or a digit</source>
+        <translation>Et temas navn begynder med et bogstav eller et ciffer</translation>
+    </message>
+    <message>
+        <source>There is a theme %1 already; choose another name</source>
+        <translation>Der er allerede et tema %1; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already; choose another name</source>
+        <translation>Der er allerede en fil %1; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>%1 is used on %2; choose another theme there before it is deleted</source>
+        <translation>%1 bruges på %2; vælg først et andet tema dér</translation>
+    </message>
+    <message>
+        <source>Delete Theme</source>
+        <translation>Slet tema</translation>
+    </message>
+    <message>
+        <source>The project has no theme of its own yet. New… makes one that begins with the colours shown.</source>
+        <translation>Projektet har endnu ikke sit eget tema. Ny… opretter et, der begynder med de viste farver.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>og %n mere</numerusform>
+            <numerusform>og %n mere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on %2: contrast %L3, %L4 is needed</source>
+        <translation>%1 på %2: kontrast %L3, der kræves %L4</translation>
+    </message>
+    <message>
+        <source>Changed on disk too: %1. OK replaces what is there.</source>
+        <translation>Også ændret på disken: %1. OK erstatter det, der står dér.</translation>
+    </message>
+    <message>
+        <source>Discard the changes of the themes?</source>
+        <translation>Kassér ændringerne af temaerne?</translation>
     </message>
 </context>
 <context>

@@ -8724,6 +8724,10 @@ Unter Probleme steht, was falsch ist; ein Doppelklick dort öffnet die Datei als
         <source>Project Settings…</source>
         <translation>Projekteinstellungen…</translation>
     </message>
+    <message>
+        <source>Panel Themes…</source>
+        <translation>Farbschemas der Panels…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9358,6 +9362,10 @@ Unter Probleme steht, was falsch ist; ein Doppelklick dort öffnet die Datei als
     <message>
         <source>Devices</source>
         <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Farbschemas der Panels</translation>
     </message>
 </context>
 <context>
@@ -11923,6 +11931,10 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
         <source>Alarms</source>
         <translation>Alarme</translation>
     </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Farbschema umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::Outline</name>
@@ -12183,6 +12195,10 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
     <message>
         <source>Lay out</source>
         <translation>Anordnen</translation>
+    </message>
+    <message>
+        <source>Edit Themes…</source>
+        <translation>Farbschemas bearbeiten…</translation>
     </message>
 </context>
 <context>
@@ -12654,6 +12670,128 @@ Installieren Sie die Beispiele oder setzen Sie die Umgebungsvariable STEPWISE_EX
     <message>
         <source>Text</source>
         <translation>Text</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ThemeDialog</name>
+    <message>
+        <source>Grounds, lines and texts</source>
+        <translation>Hintergründe, Linien und Texte</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Prozess</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Colours by name</source>
+        <translation>Farben nach Namen</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Based on</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Colours that this theme does not change are those of the base.</source>
+        <translation>Farben, die dieses Farbschema nicht ändert, sind die der Basis.</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Farbschemas der Panels</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Base of the Theme</source>
+        <translation>Basis des Farbschemas</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Neu…</translation>
+    </message>
+    <message>
+        <source>New Theme</source>
+        <translation>Neues Farbschema</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Farbschema umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Name of the theme:</source>
+        <translation>Name des Farbschemas:</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name cannot contain %1; choose another name</source>
+        <translation>Der Name eines Farbschemas darf %1 nicht enthalten; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name begins with a letter or a digit</source>
+        <translation>Der Name eines Farbschemas beginnt mit einem Buchstaben oder einer Ziffer</translation>
+    </message>
+    <message>
+        <source>There is a theme %1 already; choose another name</source>
+        <translation>Es gibt schon ein Farbschema %1; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already; choose another name</source>
+        <translation>Es gibt schon eine Datei %1; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>%1 is used on %2; choose another theme there before it is deleted</source>
+        <translation>%1 wird in %2 verwendet; wählen Sie dort erst ein anderes Farbschema</translation>
+    </message>
+    <message>
+        <source>Delete Theme</source>
+        <translation>Farbschema löschen</translation>
+    </message>
+    <message>
+        <source>The project has no theme of its own yet. New… makes one that begins with the colours shown.</source>
+        <translation>Das Projekt hat noch kein eigenes Farbschema. Neu… legt eines an, das mit den angezeigten Farben beginnt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on %2: contrast %L3, %L4 is needed</source>
+        <translation>%1 auf %2: Kontrast %L3, nötig ist %L4</translation>
+    </message>
+    <message>
+        <source>Changed on disk too: %1. OK replaces what is there.</source>
+        <translation>Auch auf dem Datenträger geändert: %1. OK ersetzt, was dort steht.</translation>
+    </message>
+    <message>
+        <source>Discard the changes of the themes?</source>
+        <translation>Die Änderungen der Farbschemas verwerfen?</translation>
     </message>
 </context>
 <context>

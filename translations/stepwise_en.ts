@@ -201,4 +201,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>plc::hmi::ThemeDialog</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -8724,6 +8724,10 @@ En Problemas se indica qué falla; un doble clic allí abre el archivo como text
         <source>Project Settings…</source>
         <translation>Ajustes del proyecto…</translation>
     </message>
+    <message>
+        <source>Panel Themes…</source>
+        <translation>Temas de los paneles…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9358,6 +9362,10 @@ En Problemas se indica qué falla; un doble clic allí abre el archivo como text
     <message>
         <source>Devices</source>
         <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Temas de los paneles</translation>
     </message>
 </context>
 <context>
@@ -11923,6 +11931,10 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
         <source>Alarms</source>
         <translation>Alarmas</translation>
     </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Renombrar el tema</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::Outline</name>
@@ -12183,6 +12195,10 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
     <message>
         <source>Lay out</source>
         <translation>Disponer</translation>
+    </message>
+    <message>
+        <source>Edit Themes…</source>
+        <translation>Editar los temas…</translation>
     </message>
 </context>
 <context>
@@ -12654,6 +12670,128 @@ Instale los ejemplos o asigne a la variable de entorno STEPWISE_EXAMPLES la carp
     <message>
         <source>Text</source>
         <translation>Texto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ThemeDialog</name>
+    <message>
+        <source>Grounds, lines and texts</source>
+        <translation>Fondos, líneas y textos</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Proceso</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Colours by name</source>
+        <translation>Colores por nombre</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Based on</source>
+        <translation>Basado en</translation>
+    </message>
+    <message>
+        <source>Colours that this theme does not change are those of the base.</source>
+        <translation>Los colores que este tema no cambia son los de la base.</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Temas de los paneles</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Base of the Theme</source>
+        <translation>Base del tema</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nuevo…</translation>
+    </message>
+    <message>
+        <source>New Theme</source>
+        <translation>Tema nuevo</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Renombrar el tema</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Name of the theme:</source>
+        <translation>Nombre del tema:</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name cannot contain %1; choose another name</source>
+        <translation>El nombre de un tema no puede contener %1; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name begins with a letter or a digit</source>
+        <translation>El nombre de un tema empieza por una letra o una cifra</translation>
+    </message>
+    <message>
+        <source>There is a theme %1 already; choose another name</source>
+        <translation>Ya hay un tema %1; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already; choose another name</source>
+        <translation>Ya hay un archivo %1; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>%1 is used on %2; choose another theme there before it is deleted</source>
+        <translation>%1 se usa en %2; elija allí antes otro tema</translation>
+    </message>
+    <message>
+        <source>Delete Theme</source>
+        <translation>Eliminar el tema</translation>
+    </message>
+    <message>
+        <source>The project has no theme of its own yet. New… makes one that begins with the colours shown.</source>
+        <translation>El proyecto todavía no tiene un tema propio. Nuevo… crea uno que empieza con los colores mostrados.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on %2: contrast %L3, %L4 is needed</source>
+        <translation>%1 sobre %2: contraste %L3, se necesita %L4</translation>
+    </message>
+    <message>
+        <source>Changed on disk too: %1. OK replaces what is there.</source>
+        <translation>También cambiado en el disco: %1. Aceptar sustituye lo que hay allí.</translation>
+    </message>
+    <message>
+        <source>Discard the changes of the themes?</source>
+        <translation>¿Descartar los cambios de los temas?</translation>
     </message>
 </context>
 <context>

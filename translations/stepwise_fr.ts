@@ -8724,6 +8724,10 @@ Problèmes indique ce qui ne va pas&#x202f;; un double-clic y ouvre le fichier e
         <source>Project Settings…</source>
         <translation>Paramètres du projet…</translation>
     </message>
+    <message>
+        <source>Panel Themes…</source>
+        <translation>Thèmes des vues…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9358,6 +9362,10 @@ Problèmes indique ce qui ne va pas&#x202f;; un double-clic y ouvre le fichier e
     <message>
         <source>Devices</source>
         <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Thèmes des vues</translation>
     </message>
 </context>
 <context>
@@ -11923,6 +11931,10 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
         <source>Alarms</source>
         <translation>Alarmes</translation>
     </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Renommer le thème</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::Outline</name>
@@ -12183,6 +12195,10 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
     <message>
         <source>Lay out</source>
         <translation>Disposer</translation>
+    </message>
+    <message>
+        <source>Edit Themes…</source>
+        <translation>Modifier les thèmes…</translation>
     </message>
 </context>
 <context>
@@ -12654,6 +12670,128 @@ Installez les exemples ou donnez à la variable d’environnement STEPWISE_EXAMP
     <message>
         <source>Text</source>
         <translation>Texte</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ThemeDialog</name>
+    <message>
+        <source>Grounds, lines and texts</source>
+        <translation>Fonds, lignes et textes</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Processus</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Colours by name</source>
+        <translation>Couleurs nommées</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Based on</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Colours that this theme does not change are those of the base.</source>
+        <translation>Les couleurs que ce thème ne change pas sont celles de la base.</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>Thèmes des vues</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Base of the Theme</source>
+        <translation>Base du thème</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nouveau…</translation>
+    </message>
+    <message>
+        <source>New Theme</source>
+        <translation>Nouveau thème</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>Renommer le thème</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Name of the theme:</source>
+        <translation>Nom du thème&#xa0;:</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name cannot contain %1; choose another name</source>
+        <translation>Le nom d’un thème ne peut pas contenir %1&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name begins with a letter or a digit</source>
+        <translation>Le nom d’un thème commence par une lettre ou un chiffre</translation>
+    </message>
+    <message>
+        <source>There is a theme %1 already; choose another name</source>
+        <translation>Il y a déjà un thème %1&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already; choose another name</source>
+        <translation>Il y a déjà un fichier %1&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>%1 is used on %2; choose another theme there before it is deleted</source>
+        <translation>%1 est utilisé dans %2&#x202f;; choisissez-y d’abord un autre thème</translation>
+    </message>
+    <message>
+        <source>Delete Theme</source>
+        <translation>Supprimer le thème</translation>
+    </message>
+    <message>
+        <source>The project has no theme of its own yet. New… makes one that begins with the colours shown.</source>
+        <translation>Le projet n’a pas encore de thème à lui. Nouveau… en crée un qui part des couleurs affichées.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on %2: contrast %L3, %L4 is needed</source>
+        <translation>%1 sur %2&#xa0;: contraste %L3, il faut %L4</translation>
+    </message>
+    <message>
+        <source>Changed on disk too: %1. OK replaces what is there.</source>
+        <translation>Modifiés aussi sur le disque&#xa0;: %1. OK remplace ce qui s’y trouve.</translation>
+    </message>
+    <message>
+        <source>Discard the changes of the themes?</source>
+        <translation>Abandonner les modifications des thèmes&#x202f;?</translation>
     </message>
 </context>
 <context>

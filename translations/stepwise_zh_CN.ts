@@ -8718,6 +8718,10 @@ Problems says what is wrong; a double click there opens the file as text.</sourc
         <source>Project Settings…</source>
         <translation>项目设置…</translation>
     </message>
+    <message>
+        <source>Panel Themes…</source>
+        <translation>画面主题…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::Menu</name>
@@ -9352,6 +9356,10 @@ Problems says what is wrong; a double click there opens the file as text.</sourc
     <message>
         <source>Devices</source>
         <translation>设备</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>画面主题</translation>
     </message>
 </context>
 <context>
@@ -11906,6 +11914,10 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
         <source>Alarms</source>
         <translation>报警</translation>
     </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>重命名主题</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::Outline</name>
@@ -12166,6 +12178,10 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
     <message>
         <source>Lay out</source>
         <translation>布局</translation>
+    </message>
+    <message>
+        <source>Edit Themes…</source>
+        <translation>编辑主题…</translation>
     </message>
 </context>
 <context>
@@ -12632,6 +12648,127 @@ Install the examples, or set the environment variable STEPWISE_EXAMPLES to the f
     <message>
         <source>Text</source>
         <translation>文本</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ThemeDialog</name>
+    <message>
+        <source>Grounds, lines and texts</source>
+        <translation>背景、线条和文本</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>过程</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Colours by name</source>
+        <translation>按名称的颜色</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Based on</source>
+        <translation>基于</translation>
+    </message>
+    <message>
+        <source>Colours that this theme does not change are those of the base.</source>
+        <translation>此主题未更改的颜色沿用基础主题。</translation>
+    </message>
+    <message>
+        <source>Panel Themes</source>
+        <translation>画面主题</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Base of the Theme</source>
+        <translation>主题的基础</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>新建…</translation>
+    </message>
+    <message>
+        <source>New Theme</source>
+        <translation>新建主题</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Rename Theme</source>
+        <translation>重命名主题</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Name of the theme:</source>
+        <translation>主题名称：</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name cannot contain %1; choose another name</source>
+        <translation>主题名称不能包含 %1；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>A theme&apos;s name begins with a letter or a digit</source>
+        <translation>主题名称以字母或数字开头</translation>
+    </message>
+    <message>
+        <source>There is a theme %1 already; choose another name</source>
+        <translation>已有主题 %1；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already; choose another name</source>
+        <translation>已有文件 %1；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>%1 is used on %2; choose another theme there before it is deleted</source>
+        <translation>%1 正在 %2 中使用；请先在那里选择其他主题</translation>
+    </message>
+    <message>
+        <source>Delete Theme</source>
+        <translation>删除主题</translation>
+    </message>
+    <message>
+        <source>The project has no theme of its own yet. New… makes one that begins with the colours shown.</source>
+        <translation>项目还没有自己的主题。“新建…”以当前显示的颜色创建一个主题。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>以及另外 %n 项</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on %2: contrast %L3, %L4 is needed</source>
+        <translation>%1 在 %2 上：对比度 %L3，需要 %L4</translation>
+    </message>
+    <message>
+        <source>Changed on disk too: %1. OK replaces what is there.</source>
+        <translation>磁盘上也已更改：%1。“确定”会替换磁盘上的内容。</translation>
+    </message>
+    <message>
+        <source>Discard the changes of the themes?</source>
+        <translation>放弃对主题的更改？</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "hmi/designer/editors/people_editor.h"
 #include "hmi/designer/editors/recipe_editor.h"
 #include "hmi/designer/editors/text_editor.h"
+#include "hmi/designer/editors/theme_dialog.h"
 #include "hmi/designer/panel_designer.h"
 #include "projects/storage/project_file.h"
 
@@ -19,7 +20,7 @@
 namespace plc::app {
 
 namespace {
-const QString kPanel = "panel:", kText = "text:";
+const QString kPanel = "panel:", kTheme = "theme:", kText = "text:";
 constexpr int kLittle = 420; // pixels of height for a drawing with its lists around
 
 QString keyOf(const QWidget* page) { return page->property("pageKey").toString(); }
@@ -93,7 +94,7 @@ void DesignPages::openAsText(const Key& key) {
     connect(page, &TextPage::saved, this, [this, page, key, showProblem] {
         m_parts.files.look();
         const bool isGood = m_parts.live.panels().disk->isKnown(m_parts.files.pathOf(key));
-        if (!isGood) return showProblem();
+        if (!isGood || key.startsWith(kTheme)) return showProblem();
         m_parts.tabs.closePage(m_parts.tabs.indexOf(page)); // it can be opened as what it is
         open(key);
     });
@@ -105,6 +106,7 @@ bool DesignPages::isUnread(const Key& key) const {
 }
 
 void DesignPages::openPlace(const QString& file, const QString& element) {
+    if (file.startsWith("hmi/themes/")) return editThemes(QFileInfo(file).completeBaseName());
     if (file.endsWith(".csv")) return openTexts();
     if (file.endsWith("recipes.json")) return openRecipes();
     if (!file.endsWith(".panel.json")) return openAlarms();
@@ -112,6 +114,14 @@ void DesignPages::openPlace(const QString& file, const QString& element) {
     openPanel(panel);
     auto* designer = qobject_cast<hmi::PanelDesigner*>(m_parts.tabs.pageByKey(kPanel + panel));
     if (designer && designer->document().panel().find(element)) designer->selection().set({element});
+}
+
+void DesignPages::editThemes(const QString& theme) {
+    if (!m_parts.live.design()) return;
+    if (const Key key = kTheme + theme; !theme.isEmpty() && isUnread(key)) return openAsText(key);
+    const auto* designer = qobject_cast<hmi::PanelDesigner*>(m_parts.tabs.currentWidget());
+    hmi::ThemeDialog(*m_parts.live.design(), designer ? designer->panelName() : QString(), theme, &m_parts.window)
+        .exec();
 }
 
 void DesignPages::newPanel() {

@@ -36,7 +36,9 @@ public:
     void openAlarms() { open("alarms"); }
     void openRecipes() { open("recipes"); }
     void openPeople() { open("people"); }
-    /// The place of a finding: an element of a panel, the texts or the alarms.
+    /// The dialog of the project's themes, at that one; as text where it cannot be read.
+    void editThemes(const QString& theme = {});
+    /// The place of a finding: an element of a panel, a theme, the texts or the alarms.
     void openPlace(const QString& file, const QString& element);
     /// Asks for a name and opens the new panel.
     void newPanel();

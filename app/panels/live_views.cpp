@@ -217,6 +217,10 @@ void LiveViews::connectDesign() {
     connect(m_design.get(), &hmi::DesignContext::alarmsChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::recipesChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::peopleChanged, this, &LiveViews::designEdited);
+    connect(m_design.get(), &hmi::DesignContext::themesTaken, this, [this] {
+        if (m_player) m_player->scene().setThemes(m_panels->themes);
+        emit designEdited(); // what is wrong with them is a finding
+    });
     connect(m_design.get(), &hmi::DesignContext::programChanged, this, &LiveViews::designEdited);
     m_design->setRun(m_control.session());
     if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors)

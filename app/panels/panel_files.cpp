@@ -13,7 +13,8 @@ namespace plc::app {
 
 namespace {
 constexpr int kSettleMs = 80;
-constexpr QLatin1String kTexts("texts"), kAlarms("alarms"), kRecipes("recipes"), kPeople("people"), kPanel("panel:");
+constexpr QLatin1String kTexts("texts"), kAlarms("alarms"), kRecipes("recipes"), kPeople("people"), kPanel("panel:"),
+    kTheme("theme:");
 
 QStringList themesOnDisk(const hmi::PanelProject& panels) {
     return QDir(panels.folder + "/hmi/themes").entryList({"*.json"}, QDir::Files, QDir::Name);
@@ -70,11 +71,12 @@ QString PanelFiles::titleOf(const Key& key) {
 
 QString PanelFiles::pathOf(const Key& key) const {
     const hmi::PanelProject& panels = m_live.panels();
-    return key == kTexts     ? panels.textsPath()
-           : key == kAlarms  ? panels.alarmsPath()
-           : key == kRecipes ? panels.recipesPath()
-           : key == kPeople  ? panels.peoplePath()
-                             : panels.panelPath(panelOf(key));
+    return key == kTexts            ? panels.textsPath()
+           : key == kAlarms         ? panels.alarmsPath()
+           : key == kRecipes        ? panels.recipesPath()
+           : key == kPeople         ? panels.peoplePath()
+           : key.startsWith(kTheme) ? panels.themePath(key.mid(kTheme.size()))
+                                    : panels.panelPath(panelOf(key));
 }
 
 std::vector<PanelFiles::Key> PanelFiles::known() const {
@@ -210,14 +212,9 @@ bool PanelFiles::lookForPanels() {
     return isOther;
 }
 
-/// Themes are not edited here: what is on disk is taken at once, and panels that are open show it.
+/// What is on disk is taken at once, and panels that are open show it.
 void PanelFiles::lookForThemes() {
-    hmi::PanelProject& panels = m_live.panels();
-    if (!m_live.design() || !areThemesOther(panels, m_postponed)) return;
-    panels.readThemes();
-    emit m_live.design()->themesTaken();
-    if (m_live.player()) m_live.player()->scene().setThemes(panels.themes);
-    emit m_live.designEdited(); // what is wrong with them is a finding
+    if (m_live.design() && areThemesOther(m_live.panels(), m_postponed)) m_live.design()->themesReplaced();
 }
 
 void PanelFiles::lookAt(const Key& key) {

@@ -17,7 +17,7 @@ namespace plc::app {
 class PanelFiles : public QObject {
     Q_OBJECT
 public:
-    /// A document: "panel:overview", "texts", "alarms", "recipes", "people".
+    /// A document: "panel:overview", "texts", "alarms", "recipes", "people"; "theme:night" has a path only.
     using Key = QString;
     using Ask = std::function<DiskAnswer(const QString& file, const std::string& here, const std::string& onDisk)>;
 

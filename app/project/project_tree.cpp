@@ -408,6 +408,7 @@ void ProjectTree::addDesigns() {
     single(tr("Alarms"), Icon::Alarm, "alarms");
     single(tr("Recipes"), Icon::Table, "recipes");
     single(tr("Users and Rights"), Icon::User, "people");
+    single(tr("Panel Themes"), Icon::Theme, "themes");
     single(tr("Devices"), Icon::Link, "devices");
     names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace,
           ".trace.json");
@@ -495,6 +496,8 @@ void ProjectTree::activate(QTreeWidgetItem* item) {
         emit recipesRequested();
     else if (kind == "people")
         emit peopleRequested();
+    else if (kind == "themes")
+        emit themesRequested();
     else if (kind == "devices")
         emit devicesRequested();
     else if (kind == "library")

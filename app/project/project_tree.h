@@ -40,6 +40,7 @@ signals:
     void alarmsRequested();
     void recipesRequested();
     void peopleRequested();
+    void themesRequested();
     void devicesRequested();
     void testsRequested();
     void chartRequested(const QString& file, const QString& pou);

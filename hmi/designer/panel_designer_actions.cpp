@@ -1,6 +1,7 @@
 // The commands of PanelDesigner: actions with their keys, the tool bar and the menu of the canvas.
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "hmi/designer/editors/theme_dialog.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/model/property_literals.h"
 
@@ -108,6 +109,8 @@ void PanelDesigner::makeActions() {
     for (QAction* action : {grid, snap, live}) action->setCheckable(true);
     grid->setChecked(true);
     snap->setChecked(true);
+    add(QStringLiteral("themes"), tr("Edit Themes…"), Icon::Theme, {},
+        [this] { ThemeDialog(m_context, m_name, m_document.panel().text("theme"_text), this).exec(); });
     add(QStringLiteral("zoom-in"), tr("Zoom in"), Icon::ZoomIn, QKeySequence::ZoomIn,
         [this] { m_canvas->setZoom(m_canvas->zoom() * 1.25); });
     add(QStringLiteral("zoom-out"), tr("Zoom Out"), Icon::ZoomOut, QKeySequence::ZoomOut,
@@ -165,6 +168,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     });
     connect(&m_document, &PanelDocument::changed, themes, showTheme);
     bar->addWidget(themes);
+    bar->addAction(m_actions.value(QStringLiteral("themes")));
     bar->addSeparator();
     put({"align-left", "align-center", "align-right", "align-top", "align-middle", "align-bottom"});
     put({"distribute-x", "distribute-y", "same-size"});

@@ -253,7 +253,7 @@ PanelProject loadPanelProject(const projects::Project& project) {
 
 namespace {
 Result<void> write(const PanelProject& project, const QString& path, const std::string& bytes) {
-    QDir(project.folder).mkpath(QStringLiteral("hmi"));
+    QDir().mkpath(QFileInfo(path).path());
     return project.disk ? project.disk->write(path, bytes) : projects::writeFileAtomically(path.toStdString(), bytes);
 }
 } // namespace
@@ -276,6 +276,10 @@ Result<void> savePeople(const PanelProject& project) {
 
 Result<void> saveAlarms(const PanelProject& project) {
     return write(project, project.alarmsPath(), project.alarms.write());
+}
+
+Result<void> saveTheme(const PanelProject& project, const QString& name, const PanelTheme& theme) {
+    return write(project, project.themePath(name), theme.write());
 }
 
 } // namespace plc::hmi

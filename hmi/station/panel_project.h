@@ -73,6 +73,7 @@ PanelProject loadPanelProject(const projects::Project& project);
 Result<void> savePanel(const PanelProject& project, const NamedPanel& panel);
 Result<void> saveTexts(const PanelProject& project);
 Result<void> saveAlarms(const PanelProject& project);
+Result<void> saveTheme(const PanelProject& project, const QString& name, const PanelTheme& theme);
 Result<void> savePeople(const PanelProject& project);
 Result<void> saveRecipes(const PanelProject& project, const RecipeFile& recipes);
 

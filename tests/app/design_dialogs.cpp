@@ -14,6 +14,8 @@
 #include "hmi/designer/panel_designer.h"
 
 #include <QAction>
+#include <QDir>
+#include <QFile>
 #include <QGraphicsView>
 #include <QMenu>
 #include <QTableWidget>
@@ -47,7 +49,14 @@ void lookAtDesignDialogs(MainWindow& window, const Look& look) {
         hmi::PasswordDialog dialog("anna", &window);
         dialog.exec();
     });
+    QDir().mkpath(window.workspace().folder() + "/hmi/themes");
+    QFile theme(window.workspace().folder() + "/hmi/themes/fog.json"); // letters that can hardly be read
+    ASSERT_TRUE(theme.open(QIODevice::WriteOnly));
+    theme.write(R"({"colors": {"text": "#C8C8C8"}})");
+    theme.close();
     window.designs().openPanel("all");
+    window.live().design()->themesReplaced();
+    lookAtDialog(look, "themes", [&] { window.designs().editThemes(); });
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget());
     ASSERT_NE(designer, nullptr);
     designer->selection().set({designer->document().panel().elements().front().id()});

@@ -216,7 +216,7 @@ void PropertyGrid::editProperty(const QString& id) {
         return;
     case PropertyKind::Color: {
         const QVariant before = e->value;
-        auto* popup = new ColorPopup(before.value<QColor>(), true, this);
+        auto* popup = new ColorPopup(before.value<QColor>(), e->descriptor.canBeNone, this);
         bool* done = new bool(false);
         connect(popup, &ColorPopup::hovered, this, [this, id](const QColor& color) { emit previewed(id, color); });
         connect(popup, &ColorPopup::chosen, this, [this, id, done](const QColor& color) {

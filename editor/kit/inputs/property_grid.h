@@ -51,6 +51,7 @@ struct PropertyDescriptor {
     QVariant defaultValue; // shown in the plain face; valid: "Reset" is offered
     QString placeholder;
     bool isReadOnly = false;
+    bool canBeNone = true; // a colour
     bool operator==(const PropertyDescriptor&) const = default;
 };
 

@@ -196,9 +196,51 @@ void DesignContext::peopleReplaced() {
     emit peopleChanged();
 }
 
+void DesignContext::themesReplaced() {
+    m_project.readThemes();
+    emit themesTaken();
+}
+
+namespace {
+/// The panel itself (an empty id) and its buttons, where they name a theme that `renamed` makes another.
+Edit withThemes(const Panel& panel, const std::function<QString(const QString&)>& renamed) {
+    EditList out;
+    const auto rename = [&](const ElementId& element, const QString& before) {
+        if (const QString after = renamed(before); after != before)
+            out.edits.push_back(setProperty(panel, element, "theme", toUtf8(after)));
+    };
+    rename({}, panel.text("theme"));
+    for (const Element& element : panel.elements())
+        if (element.kind() == ElementKind::Button) rename(element.id(), element.text("theme"));
+    return {out};
+}
+} // namespace
+
+QStringList DesignContext::panelsWithTheme(const QString& name) const {
+    QStringList out;
+    for (const NamedPanel& panel : m_project.panels) {
+        const auto other = [&](const QString& theme) { return theme == name ? QString() : theme; };
+        if (!withThemes(latest(panel), other).isEmpty()) out += panel.name;
+    }
+    return out;
+}
+
+void DesignContext::renameThemes(const std::map<QString, QString>& names) {
+    const auto renamed = [&](const QString& theme) {
+        const auto found = names.find(theme);
+        return found == names.end() ? theme : found->second;
+    };
+    rewritePanels(tr("Rename Theme"), [&](const Panel& panel) { return withThemes(panel, renamed); });
+}
+
 bool DesignContext::isPanelChanged(const QString& name) const {
     const PanelDocument* open = m_documents.value(name);
     return m_changedPanels.contains(name) || (open && !open->isClean());
+}
+
+const Panel* DesignContext::panelNow(const QString& name) const {
+    const NamedPanel* panel = m_project.find(name);
+    return panel ? &latest(*panel) : nullptr;
 }
 
 void DesignContext::openDocument(const QString& panel, PanelDocument* document) { m_documents.insert(panel, document); }

@@ -68,6 +68,12 @@ public:
     void alarmsReplaced();
     void recipesReplaced();
     void peopleReplaced();
+    /// The folder of the themes is read again.
+    void themesReplaced();
+    /// The panels that are shown in the project's theme of that name, or have a button that changes to it.
+    QStringList panelsWithTheme(const QString& name) const;
+    /// Themes have new names (before, after): the panels that name them follow.
+    void renameThemes(const std::map<QString, QString>& names);
     /// It has changes that are not saved.
     bool isPanelChanged(const QString& name) const;
 
@@ -111,6 +117,8 @@ public:
     std::vector<VariableUse> usesOf(const NamedVariable& variable) const;
     void openDocument(const QString& panel, PanelDocument* document);
     void closeDocument(const PanelDocument* document);
+    /// With what is edited in an open designer; null: there is none of that name.
+    const Panel* panelNow(const QString& name) const;
     /// A panel is another now: those who place it as a faceplate show it.
     void reportPanelEdited(const QString& name) { emit panelEdited(name); }
 

@@ -127,6 +127,26 @@ Result<PanelTheme> PanelTheme::parse(const std::string& utf8, const QString& pla
     return out;
 }
 
+std::string PanelTheme::write() const {
+    static constexpr const char* kBases[] = {"light", "dark", "contrast"};
+    Json colors = Json::object();
+    for (const Role& role : kRoles) // in their order, whatever the order of the edits
+        if (const QColor own = color(role.name); own != of(m_kind).color(role.name))
+            colors[role.name] = toUtf8(own.name(own.alpha() == 255 ? QColor::HexRgb : QColor::HexArgb).toUpper());
+    return Json{{"base", kBases[static_cast<size_t>(m_kind)]}, {"colors", colors}}.dump(2) + '\n';
+}
+
+void PanelTheme::setBase(PanelThemeKind kind) {
+    const PanelTheme before = *this;
+    *this = of(kind);
+    for (const QString& role : roles())
+        if (const QColor own = before.color(role); own != of(before.m_kind).color(role)) m_colors[role] = own;
+}
+
+void PanelTheme::setColor(const QString& role, const QColor& color) {
+    m_colors[role] = color.isValid() ? color : of(m_kind).color(role);
+}
+
 std::vector<PanelTheme::Weak> PanelTheme::weaknesses() const {
     // What elements write on what: WCAG 2's figure for letters, and the one for things that must be seen.
     struct Pair {

@@ -34,6 +34,12 @@ public:
     static QStringList roles();
     /// A theme file: {"base": "dark", "colors": {"background": "#10202A", …}}; what it does not name is the base's.
     static Result<PanelTheme> parse(const std::string& utf8, const QString& place);
+    /// The file that parse() reads back.
+    std::string write() const;
+    /// The colours that are those of the base become those of the new one, the others stay.
+    void setBase(PanelThemeKind kind);
+    /// `role` is one of roles(); an invalid colour is the base's.
+    void setColor(const QString& role, const QColor& color);
     /// Pairs of roles that are read on each other and cannot be told apart well enough.
     struct Weak {
         QString ink, ground;

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <set>
+
 namespace plc::hmi {
 namespace {
 
@@ -34,6 +37,34 @@ TEST(PanelThemes, AFileNamesItsBaseAndWhatIsOther) {
         const auto bad = PanelTheme::parse(text, QStringLiteral("hmi/themes/x.json"));
         ASSERT_FALSE(bad) << text;
         EXPECT_NE(bad.error().english().find(part), std::string::npos) << bad.error().english();
+    }
+}
+
+TEST(PanelThemes, WhatIsWrittenIsReadBackAndNamesWhatIsOtherThanTheBase) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto upTo = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+    for (int round = 0; round < 200; ++round) {
+        PanelTheme theme = PanelTheme::of(static_cast<PanelThemeKind>(upTo(3)));
+        std::set<QString> own;
+        for (int i = upTo(10); i > 0; --i) {
+            const QString role = PanelTheme::roles()[upTo(static_cast<int>(PanelTheme::roles().size()))];
+            const QColor color(upTo(255), 1 + upTo(254), upTo(255), upTo(4) ? 255 : upTo(256)); // none of a base
+            theme.setColor(role, color);
+            own.insert(role);
+        }
+        const auto kind = static_cast<PanelThemeKind>(upTo(3));
+        theme.setBase(kind);
+        const std::string text = theme.write();
+        const auto read = PanelTheme::parse(text, QStringLiteral("t.json"));
+        ASSERT_TRUE(read) << text << read.error().english();
+        EXPECT_EQ(*read, theme) << text;
+        EXPECT_EQ(std::count(text.begin(), text.end(), '#'), static_cast<long>(own.size())) << text;
+        for (const QString& role : PanelTheme::roles())
+            EXPECT_TRUE(own.contains(role) || theme.color(role) == PanelTheme::of(kind).color(role)) << text;
+        for (const QString& role : own) theme.setColor(role, QColor());
+        EXPECT_EQ(theme, PanelTheme::of(kind)) << text;
     }
 }
 
