@@ -165,9 +165,7 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     connect(m_files, &QTreeWidget::currentItemChanged, this, &ImportDialog::showCurrent);
     connect(m_files, &QTreeWidget::itemChanged, this, &ImportDialog::check);
     connect(m_target, &QLineEdit::textChanged, this, &ImportDialog::check);
-    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-        if (write()) accept();
-    });
+    connect(buttons, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     check();
 }
@@ -300,6 +298,10 @@ void ImportDialog::check() {
     m_import->setEnabled(!m_projects.empty() && isChosen && !m_target->text().isEmpty() && !isTaken);
 }
 
+void ImportDialog::accept() {
+    if (write()) QDialog::accept();
+}
+
 bool ImportDialog::write() {
     const std::vector<exchange::Imported> projects = chosen();
     if (projects.empty()) return false;
@@ -347,9 +349,7 @@ ExportDialog::ExportDialog(const projects::Project& project, QWidget* parent) : 
         if (!path.isEmpty()) m_target->setText(path);
     });
     connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::check);
-    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-        if (write()) accept();
-    });
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     preview();
 }
@@ -380,6 +380,10 @@ void ExportDialog::preview() {
     fill(*m_notes, m_exported->report);
     m_summary->setText(summaryOf(m_exported->report));
     check();
+}
+
+void ExportDialog::accept() {
+    if (write()) QDialog::accept();
 }
 
 bool ExportDialog::write() {

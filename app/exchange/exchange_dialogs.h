@@ -38,6 +38,8 @@ public:
     /// then nothing is written.
     bool write();
     [[nodiscard]] QString folder() const; // of the new project, the first one of several
+    /// Writes first; what cannot be written stays open.
+    void accept() override;
 
 private:
     void choose(bool isFolder);
@@ -68,6 +70,8 @@ public:
     ExportDialog(const projects::Project& project, QWidget* parent);
     bool write();
     void setTarget(const QString& path);
+    /// Writes first; what cannot be written stays open.
+    void accept() override;
 
 private:
     void preview();

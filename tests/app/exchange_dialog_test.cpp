@@ -50,6 +50,9 @@ TEST_F(ExchangeDialogs, WhatCannotBeReadStaysAComplaint) {
     EXPECT_FALSE(dialog.findChild<QPushButton*>("import")->isEnabled());
     EXPECT_FALSE(dialog.findChild<QLabel*>("complaint")->text().isEmpty());
     EXPECT_FALSE(dialog.write());
+    dialog.show();
+    dialog.accept(); // nothing is chosen
+    EXPECT_TRUE(dialog.isVisible());
 }
 
 TEST_F(ExchangeDialogs, ExportShowsItsReportInBothVersionsAndWrites) {
