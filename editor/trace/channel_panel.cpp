@@ -238,6 +238,8 @@ void ChannelPanel::shareWidth() {
 
 void ChannelPanel::showProperties() {
     if (m_filling) return;
+    if (m_shown != std::pair(selectedChannel(), selectedChart())) m_grid->endEditing();
+    m_shown = {selectedChannel(), selectedChart()};
     if (const int channel = selectedChannel(); channel >= 0 && channel < static_cast<int>(m_setup.channels.size()))
         describeChannel(channel);
     else if (const int chart = selectedChart(); chart >= 0 && chart < static_cast<int>(m_setup.charts.size()))
@@ -367,9 +369,12 @@ void ChannelPanel::describeTrace() {
 }
 
 void ChannelPanel::commit(const QString& id, const QVariant& value) {
-    if (const int channel = selectedChannel(); channel >= 0)
+    const auto [channel, chart] = m_shown;
+    if (channel >= static_cast<int>(m_setup.channels.size()) || chart >= static_cast<int>(m_setup.charts.size()))
+        return; // gone meanwhile
+    if (channel >= 0)
         commitChannel(channel, id, value);
-    else if (const int chart = selectedChart(); chart >= 0)
+    else if (chart >= 0)
         commitChart(chart, id, value);
     else
         commitTrace(id, value);

@@ -62,6 +62,7 @@ private:
     kit::ExpressionEdit* m_entry = nullptr;
     QTreeWidget* m_list = nullptr;
     kit::PropertyGrid* m_grid = nullptr;
+    std::pair<int, int> m_shown{-1, -1}; // channel and chart in the grid
     bool m_filling = false,
          m_isTicked = false; // ticked: the list is telling us of a change and must not be rebuilt yet
 };

@@ -224,10 +224,31 @@ protected:
     }
 
     // A press may take its window away; what follows goes to the window only while it lives.
+    // QTest::keyPress goes on with a window that the press of a modifier has taken away.
     static void key(QWindow* to, int key, Qt::KeyboardModifiers modifiers) {
         const QPointer<QWindow> window(to);
-        QTest::keyPress(window, static_cast<Qt::Key>(key), modifiers);
-        if (window) QTest::keyRelease(window, static_cast<Qt::Key>(key), modifiers);
+        const auto send = [&](bool isPress, int code, Qt::KeyboardModifiers held, const QString& text = {}) {
+            if (window) QTest::simulateEvent(window, isPress, code, held, text, false);
+        };
+        static constexpr std::array<std::pair<Qt::KeyboardModifier, Qt::Key>, 3> kHeld{
+            {{Qt::ShiftModifier, Qt::Key_Shift},
+             {Qt::ControlModifier, Qt::Key_Control},
+             {Qt::AltModifier, Qt::Key_Alt}}};
+        Qt::KeyboardModifiers held;
+        for (const auto& [modifier, own] : kHeld)
+            if (modifiers & modifier) {
+                send(true, own, held);
+                held |= modifier;
+            }
+        const char ascii = QTest::keyToAscii(static_cast<Qt::Key>(key));
+        const QString text = ascii ? QString(QChar::fromLatin1(ascii)) : QString();
+        send(true, key, modifiers, text);
+        send(false, key, modifiers, text);
+        for (auto each = kHeld.rbegin(); each != kHeld.rend(); ++each)
+            if (modifiers & each->first) {
+                send(false, each->second, held);
+                held &= ~each->first;
+            }
     }
     static void click(QWindow* to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint at, int times = 1) {
         const QPointer<QWindow> window(to);

@@ -278,6 +278,7 @@ void PropertyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
     // What is previewed comes back as the value of the row; whoever is typing must not have it written over.
     if (editor->property(kIsFilled).toBool()) return;
     editor->setProperty(kIsFilled, true);
+    m_open = editor;
     editor->setProperty(kRow, idOf(index));
     editor->setProperty(kBefore, value);
     editor->setProperty(kWasVarious, m_grid.isVarious(idOf(index)));
@@ -320,7 +321,12 @@ void PropertyDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const 
     const QString id = idOf(index);
     const auto value = valueOf(editor, id);
     takePreviewBack(editor, id);
+    editor->setProperty(kIsFinished, true);
     commit(id, value);
+}
+
+void PropertyDelegate::finishOpen() {
+    if (m_open && !m_open->isHidden() && !m_open->property(kIsFinished).toBool()) finish(m_open);
 }
 
 void PropertyDelegate::commit(const QString& id, const std::optional<QVariant>& value) const {

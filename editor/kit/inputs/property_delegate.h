@@ -1,6 +1,7 @@
 // Paints the value cells of a property grid and makes their editors. Owned by the grid; GUI thread.
 #pragma once
 
+#include <QPointer>
 #include <QStyledItemDelegate>
 #include <QVariant>
 
@@ -23,6 +24,8 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     bool eventFilter(QObject* editor, QEvent* event) override;
+    /// The editor that is open, if there is one, as by Enter.
+    void finishOpen();
 
 private:
     QWidget* makeTextEditor(QWidget* parent, const QString& id) const;
@@ -32,6 +35,7 @@ private:
     void takePreviewBack(const QWidget* editor, const QString& id) const;
 
     PropertyGrid& m_grid;
+    mutable QPointer<QWidget> m_open; // the editor that was filled last
 };
 
 } // namespace plc::kit

@@ -76,6 +76,7 @@ void PropertyGrid::setDescriptors(std::vector<PropertyDescriptor> descriptors) {
     bool same = descriptors.size() == m_entries.size();
     for (size_t i = 0; same && i < descriptors.size(); ++i) same = descriptors[i] == m_entries[i].descriptor;
     if (same) return;
+    endEditing();
     clear();
     m_entries.clear();
     std::map<QString, QTreeWidgetItem*> groups;
@@ -192,6 +193,8 @@ void PropertyGrid::setFilter(const QString& text) {
         group->setHidden(!any);
     }
 }
+
+void PropertyGrid::endEditing() { static_cast<PropertyDelegate*>(itemDelegate())->finishOpen(); }
 
 void PropertyGrid::commit(const QString& id, const QVariant& value) {
     Entry* e = entry(id);

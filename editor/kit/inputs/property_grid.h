@@ -82,6 +82,9 @@ public:
     void setBaseFolder(const QString& folder) { m_folder = folder; }
 
     void editProperty(const QString& id);
+    /// Commits what is being typed. For an owner that shows another thing from now on: what was typed belongs to the
+    /// one before.
+    void endEditing();
     QTreeWidgetItem* row(const QString& id) const;
 
 signals:

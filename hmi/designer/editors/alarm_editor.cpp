@@ -128,10 +128,12 @@ void AlarmEditor::rebuild() {
 }
 
 void AlarmEditor::showRow() {
-    const Row row = current();
-    const Properties* now = properties(m_context.project().alarms, row);
-    m_grid->setEnabled(now != nullptr);
-    if (!now) return;
+    if (current() != m_shown) m_grid->endEditing();
+    const Row row = m_shown = current();
+    const Properties* found = properties(m_context.project().alarms, row);
+    m_grid->setEnabled(found != nullptr);
+    if (!found) return;
+    const Properties now = *found;
     const QString shape = row.isClass ? QStringLiteral("class") : QStringLiteral("alarm");
     const auto rowsOf = [&](const PropertyDescriptor& property) {
         std::vector<kit::PropertyDescriptor> rows = gridRows(property, m_context);
@@ -153,19 +155,19 @@ void AlarmEditor::showRow() {
     if (shape != m_shape || !row.isClass) {
         m_shape = shape;
         std::vector<kit::PropertyDescriptor> rows;
-        for (const PropertyDescriptor& property : now->descriptor().properties)
+        for (const PropertyDescriptor& property : now.descriptor().properties)
             for (kit::PropertyDescriptor& one : rowsOf(property)) rows.push_back(std::move(one));
         m_grid->setDescriptors(std::move(rows));
     }
-    for (const PropertyDescriptor& property : now->descriptor().properties)
+    for (const PropertyDescriptor& property : now.descriptor().properties)
         for (const kit::PropertyDescriptor& one : rowsOf(property))
             m_grid->setValue(one.id, property.key == "id"
-                                         ? QVariant(now->text("id"_text))
-                                         : gridValue(property, now->at(property.key), one.id, m_context));
+                                         ? QVariant(now.text("id"_text))
+                                         : gridValue(property, now.at(property.key), one.id, m_context));
 }
 
 void AlarmEditor::commit(const QString& gridId, const QVariant& value) {
-    const Row row = current();
+    const Row row = m_shown;
     const Properties* now = properties(m_context.project().alarms, row);
     if (!now) return;
     const PropertyDescriptor* property = now->descriptor().property(propertyOf(gridId));

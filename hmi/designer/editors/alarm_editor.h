@@ -27,6 +27,7 @@ private:
         bool isClass = false;
         int index = -1;
         bool isValid() const { return index >= 0; }
+        bool operator==(const Row&) const = default;
     };
     Row current() const;
     const Properties* properties(const AlarmFile& file, Row row) const;
@@ -38,6 +39,7 @@ private:
     QTreeWidget* m_list;
     kit::PropertyGrid* m_grid;
     QString m_shape;
+    Row m_shown; // in the grid
 };
 
 } // namespace plc::hmi

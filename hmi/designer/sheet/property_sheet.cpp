@@ -62,11 +62,17 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
     });
     connect(m_grid, &kit::PropertyGrid::actionRequested, this, &PropertySheet::editRecords);
     connect(&m_document, &PanelDocument::changed, this, &PropertySheet::refresh);
-    connect(&m_selection, &Selection::changed, this, &PropertySheet::rebuild);
+    connect(&m_selection, &Selection::changed, this, &PropertySheet::showSelection);
     connect(&m_context, &DesignContext::textsChanged, this, &PropertySheet::refresh);
     connect(&m_context, &DesignContext::languageChanged, this, &PropertySheet::refresh);
     connect(&m_context, &DesignContext::peopleChanged, this, &PropertySheet::refresh);
     connect(&m_context, &DesignContext::recipesChanged, this, &PropertySheet::refresh);
+    showSelection();
+}
+
+void PropertySheet::showSelection() {
+    m_grid->endEditing();
+    m_shown = m_selection.isEmpty() ? ElementIds{ElementId()} : m_selection.ids();
     rebuild();
 }
 
@@ -77,10 +83,9 @@ void PropertySheet::offerVariables(kit::PropertyGrid& grid) const {
 }
 
 ElementIds PropertySheet::targets() const {
-    if (m_selection.isEmpty()) return {ElementId()};
     ElementIds out;
-    for (const ElementId& id : m_selection.ids())
-        if (m_document.panel().find(id)) out.push_back(id);
+    for (const ElementId& id : m_shown)
+        if (id.isEmpty() || m_document.panel().find(id)) out.push_back(id);
     return out;
 }
 
@@ -136,6 +141,7 @@ std::vector<kit::PropertyDescriptor> PropertySheet::rowsOf(const PropertyDescrip
 }
 
 void PropertySheet::rebuild() {
+    if (shapeNow() != m_shape) m_grid->endEditing(); // its row goes
     const ElementIds ids = targets();
     const QString shape = shapeNow();
     const QString name = QCoreApplication::translate("Hmi", descriptor().title);

@@ -24,6 +24,7 @@ public:
     void refresh();
 
 private:
+    void showSelection();
     void rebuild();
     /// Changes with the rows: kinds of what is selected, and which properties say something.
     QString shapeNow() const;
@@ -44,7 +45,8 @@ private:
     QLabel* m_title;
     QLineEdit* m_filter;
     kit::PropertyGrid* m_grid;
-    QString m_shape; // what the rows were made for
+    ElementIds m_shown; // the empty id: the panel
+    QString m_shape;    // what the rows were made for
     int m_gesture = 0;
     QString m_gestureId;
 };

@@ -60,8 +60,8 @@ RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& val
     m_grid->setDescriptors(std::move(rows));
     m_grid->resizeColumnToContents(0); // some names of fields say what may be written there
     connect(m_grid, &kit::PropertyGrid::committed, this, [this](const QString& id, const QVariant& edited) {
-        const int row = m_list->currentRow();
-        if (row < 0) return;
+        const int row = m_shown;
+        if (row < 0 || row >= rowCount()) return;
         Json& record = m_rows[static_cast<size_t>(row)];
         for (const PropertyDescriptor& field : fields()) {
             if (propertyOf(id) != field.key) continue;
@@ -115,7 +115,8 @@ void RecordsDialog::refreshTitles() {
 }
 
 void RecordsDialog::showRow() {
-    const int row = m_list->currentRow();
+    if (m_list->currentRow() != m_shown) m_grid->endEditing();
+    const int row = m_shown = m_list->currentRow();
     m_grid->setEnabled(row >= 0);
     if (row < 0 || row >= rowCount()) return;
     const Json& record = m_rows[static_cast<size_t>(row)];
@@ -134,6 +135,7 @@ void RecordsDialog::addRow() {
 }
 
 void RecordsDialog::removeRow() {
+    m_grid->endEditing();
     const int row = m_list->currentRow();
     if (row < 0) return;
     m_rows.erase(m_rows.begin() + row);
@@ -143,6 +145,7 @@ void RecordsDialog::removeRow() {
 }
 
 void RecordsDialog::moveRow(int by) {
+    m_grid->endEditing();
     const int row = m_list->currentRow(), to = row + by;
     if (row < 0 || to < 0 || to >= rowCount()) return;
     std::swap(m_rows[static_cast<size_t>(row)], m_rows[static_cast<size_t>(to)]);

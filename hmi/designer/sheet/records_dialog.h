@@ -36,6 +36,7 @@ private:
     std::vector<Json> m_rows; // of named values: {"name", "expression"}
     QListWidget* m_list;
     kit::PropertyGrid* m_grid;
+    int m_shown = -1; // row in the grid
 };
 
 } // namespace plc::hmi

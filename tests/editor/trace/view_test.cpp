@@ -90,6 +90,21 @@ TEST_F(TraceViewTest, TypedNamesBecomeChannelsWithTheirPast) {
     EXPECT_EQ(model.curves[0].source->countIn(0, INT64_MAX), 1500u);
 }
 
+TEST_F(TraceViewTest, WhatIsBeingTypedStaysWithItsChannelWhenAnotherIsSelected) {
+    type("Main.sine");
+    type("Main.run");
+    view.channels()->selectChannel(0);
+    kit::PropertyGrid* grid = view.channels()->properties();
+    grid->editProperty("label");
+    auto* line = grid->findChild<kit::ExpressionEdit*>();
+    ASSERT_TRUE(line);
+    QTest::keyClicks(line, "Wave");
+    view.channels()->selectChannel(1);
+    EXPECT_EQ(view.setup().channels[0].label, "Wave");
+    EXPECT_EQ(view.setup().channels[1].label, "");
+    EXPECT_EQ(view.channels()->selectedChannel(), 1);
+}
+
 TEST_F(TraceViewTest, AddingIsUndone) {
     type("Main.sine");
     EXPECT_TRUE(view.isModified());
