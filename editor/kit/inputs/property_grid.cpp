@@ -207,6 +207,7 @@ void PropertyGrid::commit(const QString& id, const QVariant& value) {
 }
 
 void PropertyGrid::editProperty(const QString& id) {
+    endEditing();
     Entry* e = entry(id);
     if (!e || e->descriptor.isReadOnly) return;
     setCurrentItem(e->item, 1); // the cell that is edited: another row that becomes the current one ends that
@@ -268,6 +269,7 @@ void PropertyGrid::drawRow(QPainter* painter, const QStyleOptionViewItem& option
 }
 
 void PropertyGrid::mousePressEvent(QMouseEvent* event) {
+    endEditing(); // what is committed may bring other rows: not while Qt goes from one to the other
     QTreeWidget::mousePressEvent(event);
     if (event->button() != Qt::LeftButton) return;
     QTreeWidgetItem* item = itemAt(event->pos());
@@ -279,6 +281,7 @@ void PropertyGrid::mousePressEvent(QMouseEvent* event) {
 }
 
 void PropertyGrid::keyPressEvent(QKeyEvent* event) {
+    endEditing(); // as for the mouse
     const Entry* e = entryOf(currentItem());
     if (e && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2 ||
               event->key() == Qt::Key_Space)) {
@@ -314,6 +317,7 @@ const PropertyGrid::Entry* PropertyGrid::entryUnder(const QDropEvent& event) {
 }
 
 void PropertyGrid::dragEnterEvent(QDragEnterEvent* event) {
+    endEditing(); // as for the mouse
     if (!variablesOf(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 

@@ -9,6 +9,7 @@
 #include "editor/kit/inputs/property_grid.h"
 #include "editor/kit/inputs/variable_picker.h"
 #include "editor/kit/theme.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QApplication>
@@ -236,6 +237,42 @@ TEST(PropertyGrid, NamesAreReadWholeWhileValuesHaveRoom) {
     grid.header()->resizeSection(0, 90); // as a hand does
     grid.resize(500, 300);
     EXPECT_EQ(grid.columnWidth(0), 90);
+}
+
+TEST(PropertyGrid, ACommitThatBringsOtherRowsIsMadeBeforeAnotherRowIsGoneTo) {
+    const auto rows = [](const QString& ids) {
+        std::vector<PropertyDescriptor> out;
+        for (const QChar id : ids) {
+            PropertyDescriptor row;
+            row.id = row.label = id;
+            out.push_back(row);
+        }
+        return out;
+    };
+    const std::function<void(PropertyGrid&)> ways[] = {
+        [](PropertyGrid& grid) { QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cellOf(grid, "c").center()); },
+        [](PropertyGrid& grid) { QTest::keyClick(&grid, Qt::Key_Down); },
+        [](PropertyGrid& grid) { grid.editProperty("c"); },
+        [&rows](PropertyGrid& grid) { grid.setDescriptors(rows("xy")); },
+    };
+    for (const auto& go : ways) {
+        PropertyGrid grid;
+        grid.resize(400, 300);
+        grid.setDescriptors(rows("abc"));
+        grid.show();
+        QStringList committed;
+        QObject::connect(&grid, &PropertyGrid::committed, &grid, [&](const QString& id, const QVariant& value) {
+            committed += id + "=" + value.toString();
+            grid.setDescriptors(rows("acd"));
+        });
+        grid.editProperty("b");
+        auto* line = grid.findChild<ExpressionEdit*>();
+        ASSERT_TRUE(line);
+        line->setText("typed"); // the keyboard is elsewhere, as when the window is not the one in front
+        go(grid);
+        plc::settle();
+        EXPECT_EQ(committed, QStringList("b=typed"));
+    }
 }
 
 TEST(PropertyGrid, SpinningPreviewsAndLeavingCommitsOnce) {
