@@ -1,5 +1,6 @@
 // Checking again and again reads only what changed, and finds exactly what a check of everything finds.
 #include "projects/analysis/code_model.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +88,7 @@ TEST(KeptFiles, RandomEditsFindWhatAFullCheckFinds) {
     std::mt19937 random(20261122);
     driver::BuildInput input = someProject();
     driver::KeptFiles kept;
-    for (int step = 0; step < 200; ++step) {
+    for (int step = 0; step < repeats(200); ++step) {
         SCOPED_TRACE("step " + std::to_string(step) + " of seed 20261122");
         const size_t file = random() % input.files.size();
         std::string& text = input.files[file].text;
@@ -137,7 +138,7 @@ TEST(KeptFiles, EditsOfALongFileFindWhatAFullCheckFinds) {
     std::vector<driver::Checked> earlier; // what others still hold stays whole
     size_t shared = 0;
     const syntax::Decl* front = nullptr;
-    for (int step = 0; step < 120; ++step) {
+    for (int step = 0; step < repeats(120); ++step) {
         SCOPED_TRACE("step " + std::to_string(step) + " of seed 20261123");
         std::string& text = input.files.back().text;
         if (step % 5 == 4) text = clean;
@@ -155,7 +156,7 @@ TEST(KeptFiles, EditsOfALongFileFindWhatAFullCheckFinds) {
         front = first;
         if (step % 10 == 0) earlier.push_back(now);
     }
-    EXPECT_GT(shared, 40u);
+    EXPECT_GT(shared, repeats(40U));
     for (const driver::Checked& each : earlier) EXPECT_FALSE(findingsOf(each).empty());
 }
 

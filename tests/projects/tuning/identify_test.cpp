@@ -1,6 +1,7 @@
 // Models found again in what they made: without noise within one per cent, with five per cent of noise within ten.
 #include "projects/tuning/loop_report.h"
 #include "tests/projects/tuning/processes.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +77,7 @@ TEST(Identify, WithoutNoiseWithinOnePerCentOverAllFamilies) {
 
 TEST(Identify, WithFivePerCentOfNoiseWithinTenPerCent) {
     for (const Family& family : families())
-        for (const unsigned seed : {1U, 2U, 3U}) {
+        for (unsigned seed = 1; seed <= plc::repeats(3U); ++seed) {
             const auto found = identify({stepOf(family.process, family.duration, 0.05, seed, 1, 2000)});
             ASSERT_FALSE(found.empty()) << family.name;
             const ProcessModel& model = found.front().model;
@@ -132,7 +133,7 @@ Family byChance(unsigned seed) {
 } // namespace
 
 TEST(Identify, OtherParametersOfTheFamiliesWithoutNoiseWithinOnePerCent) {
-    for (unsigned seed = 0; seed < 36; ++seed) {
+    for (unsigned seed = 0; seed < plc::repeats(36U); ++seed) {
         const Family family = byChance(seed);
         const auto found = identify({stepOf(family.process, family.duration)});
         ASSERT_FALSE(found.empty()) << family.name;
@@ -146,7 +147,7 @@ TEST(Identify, OtherParametersOfTheFamiliesWithoutNoiseWithinOnePerCent) {
 }
 
 TEST(Identify, OtherParametersOfTheFamiliesWithFivePerCentOfNoiseWithinTenPerCent) {
-    for (unsigned seed = 0; seed < 36; ++seed) {
+    for (unsigned seed = 0; seed < plc::repeats(36U); ++seed) {
         const Family family = byChance(seed);
         const auto found = identify({stepOf(family.process, family.duration, 0.05, seed + 100, 1, 2000)});
         ASSERT_FALSE(found.empty()) << family.name;

@@ -4,6 +4,7 @@
 #include "opened.h"
 #include "runtime/compiler/ladder/edits.h"
 #include "runtime/compiler/ladder/layout.h"
+#include "tests/support/repeats.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -394,9 +395,9 @@ TEST(LadderEdits, TenThousandRandomOnesMeanWhatTheySay) {
     Generator random(seed);
     int done = 0, refused = 0;
     std::map<std::string, int> refusals;
-    while (done < 10000 && !::testing::Test::HasFailure()) {
+    while (done < repeats(10000) && !::testing::Test::HasFailure()) {
         std::string text = random.file();
-        for (int step = 0; step < 8 && done < 10000; ++step) {
+        for (int step = 0; step < 8 && done < repeats(10000); ++step) {
             Trial trial(text, random);
             ASSERT_EQ(trial.opened().errors, "") << text;
             Edited edited = trial.edit();
@@ -429,7 +430,7 @@ TEST(LadderEdits, TenThousandRandomOnesMeanWhatTheySay) {
     }
     std::printf("%d edits, %d refused\n", done, refused);
     for (const auto& [message, count] : refusals) std::printf("  %d: %s\n", count, message.c_str());
-    EXPECT_EQ(done, 10000);
+    EXPECT_EQ(done, repeats(10000));
     EXPECT_LT(refused, done / 4);
 }
 

@@ -2,6 +2,7 @@
 // the whole text gives, while what is well in front of the edit is not read.
 #include "runtime/compiler/parse/reparse.h"
 #include "tests/runtime/compiler/parse/outline.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -185,7 +186,7 @@ TEST(Reparse, RandomEditsReadAsTheWholeTextDoes) {
     std::deque<Read> alive; // each owns what those behind it share
     alive.push_back(readWhole(clean));
     size_t shared = 0;
-    for (int step = 0; step < 1000; ++step) {
+    for (int step = 0; step < repeats(1000); ++step) {
         SCOPED_TRACE("step " + std::to_string(step) + " of seed 20261123");
         const Read& before = alive.back();
         std::string text = step % 4 == 3 ? clean : before.text;
@@ -214,7 +215,7 @@ TEST(Reparse, RandomEditsReadAsTheWholeTextDoes) {
         ASSERT_EQ(now.shown(), whole.shown());
         alive.push_back(std::move(now));
     }
-    EXPECT_GT(shared, 400u);
+    EXPECT_GT(shared, repeats(400U));
 }
 
 TEST(Reparse, OneUnitInFrontOfTheEditIsReadAgain) {
