@@ -384,6 +384,13 @@ QMimeData* StEditor::toMimeData(const QByteArray& text, bool rectangular) const 
     return mime;
 }
 
+QString StEditor::selectedText() const {
+    const long main = SendScintilla(S::SCI_GETMAINSELECTION);
+    const long begin = SendScintilla(S::SCI_GETSELECTIONNSTART, main),
+               end = SendScintilla(S::SCI_GETSELECTIONNEND, main);
+    return begin < end ? text(static_cast<int>(begin), static_cast<int>(end)) : QString();
+}
+
 QString StEditor::wordUnderCursor() const {
     const auto at = static_cast<unsigned long>(cursorOffset());
     const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_WORDSTARTPOSITION, at, 1L)),

@@ -79,6 +79,8 @@ public:
     /// One undo step; offsets are of the present text, edits do not overlap.
     void applyEdits(std::vector<diagnostics::TextEdit> edits);
     [[nodiscard]] QString wordUnderCursor() const;
+    /// Of the main selection; QsciScintilla's writes all of them into a buffer for the last one.
+    [[nodiscard]] QString selectedText() const;
 
     void setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled = {}); // 1-based
     /// Where edits have moved them since: old line → new line, of those that moved.

@@ -135,6 +135,18 @@ TEST_F(PerspectivesTest, TheNextOccurrenceIsSelectedToo) {
     window->workspace().revert("src/main.st");
 }
 
+TEST_F(PerspectivesTest, TheSelectedTextOfSeveralCaretsIsThatOfTheLast) {
+    const auto at = static_cast<uint32_t>(editor().utf8().find("limit"));
+    editor().goTo(at, 5);
+    QTest::keyClick(editor().viewport(), Qt::Key_J, Qt::AltModifier);
+    QTest::keyClick(editor().viewport(), Qt::Key_End, Qt::ShiftModifier); // of different length
+    const QString text = editor().selectedText();
+    EXPECT_TRUE(text.startsWith("limit")) << text.toStdString();
+    EXPECT_EQ(text.count("limit"), 1) << text.toStdString();
+    window->action("edit.findAll")->trigger(); // the search takes it
+    window->action("edit.findNext")->trigger();
+}
+
 TEST_F(PerspectivesTest, AChangedFileThatIsNotOpenIsMarkedInTheTree) {
     write("src/other.st", "FUNCTION Twice : INT\nVAR_INPUT x : INT; END_VAR\nTwice := 2 * x;\nEND_FUNCTION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/other.st"); }));
