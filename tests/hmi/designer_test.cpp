@@ -462,6 +462,17 @@ TEST(Designer, ARenamedMemberIsRenamedBehindInstancesAndParametersOfItsType) {
     EXPECT_TRUE(studio.panel().find(QStringLiteral("a"))->text("value").startsWith(QStringLiteral("Main.edge.Q AND")));
 }
 
+TEST(Designer, ARenameInAProgramThatHasNeverBeenWithoutErrorsFindsNoTypes) {
+    PanelProject project = machineProject();
+    project.panels.push_back({QStringLiteral("main"),
+                              panelOf(R"({"id": "a", "kind": "lamp", "rect": [0, 0, 9, 9], "value": "Main.edge.Q"})")});
+    const DesignContext context(project); // as the studio has it until the program is right for the first time
+    const auto named = context.namedVariable(QStringLiteral("Main.edge"), QStringLiteral("R_TRIG"), QStringLiteral("Q"),
+                                             {QStringLiteral("Main.edge.Q")});
+    EXPECT_TRUE(named.bases.empty());
+    EXPECT_FALSE(driver::compileExpression({}, "1 + 1"));
+}
+
 TEST(Designer, ARenamedVariableIsRenamedInPanelsAlarmsAndRecipes) {
     Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.overload AND Main.running"})");
     studio.project.panels.push_back(

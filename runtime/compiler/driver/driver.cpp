@@ -214,6 +214,7 @@ Result<void> optimise(const Built& built, Progress* progress) {
 
 Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text,
                                                  std::string_view scope) {
+    if (!checked.analysis || !checked.analysis->program) return Error{errors::NotAnExpression(), std::string(text)};
     Arena arena;
     const sema::CheckedExpression result =
         sema::checkExpression(*checked.analysis, *checked.sources, text, scope, arena);
