@@ -97,6 +97,14 @@ at_length() { # name of a long test
     broken_corpus) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Broken.Corpus' ;;
     random_values) exec build/dev/bin/test_golden --gtest_filter='Random.*-Random.ManyProgramsFault*' ;;
     random_faults) exec build/dev/bin/test_golden --gtest_filter='Random.ManyProgramsFault*' ;;
+    random_events)
+        local seed
+        for seed in {1..40}; do
+            echo "seed $seed"
+            STEPWISE_RANDOM_SEED=$seed STEPWISE_RANDOM_EVENTS=4000 \
+                build/dev/bin/test_app --gtest_brief=1 --gtest_filter='RandomEvents.*' || exit 1
+        done
+        ;;
     damaged_files) exec build/dev/bin/test_loaders --gtest_brief=1 ;;
     esac
 }
@@ -163,10 +171,10 @@ if [ "$long" = 1 ]; then
             side_by_side "$at_once" build/fuzz_logs fuzz "${of_programs[@]}" "${of_bytes[@]}"
         part "fuzz: what three of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_programs[@]}"
     fi
-    say "tests: broken programs at each token, random programs and damaged files at length"
-    long_tests=(random_values random_faults broken_goldens damaged_files)
+    say "tests: broken programs at each token, random programs and events and damaged files at length"
+    long_tests=(random_values random_faults random_events broken_goldens damaged_files)
     [ -z "${STEPWISE_CORPUS:-}" ] || long_tests=(broken_corpus "${long_tests[@]}")
-    part "dev: broken programs, random programs, damaged files" \
+    part "dev: random programs and events, broken programs, damaged files" \
         side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"
     [ ${#failed[@]} -eq 0 ] || { printf 'Failed: %s\n' "${failed[@]}" >&2; exit 1; }
 fi
