@@ -50,7 +50,7 @@ void lookAtDesignDialogs(MainWindow& window, const Look& look) {
         dialog.exec();
     });
     QDir().mkpath(window.workspace().folder() + "/hmi/themes");
-    QFile theme(window.workspace().folder() + "/hmi/themes/fog.json"); // letters that can hardly be read
+    QFile theme(window.workspace().folder() + "/hmi/themes/workshop.json"); // letters that can hardly be read
     ASSERT_TRUE(theme.open(QIODevice::WriteOnly));
     theme.write(R"({"colors": {"text": "#C8C8C8"}})");
     theme.close();
