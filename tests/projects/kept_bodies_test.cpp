@@ -214,6 +214,21 @@ TEST(KeptBodies, ABodyThatIsEmptiedKeepsNothing) {
     }
 }
 
+TEST(KeptBodies, ASectionBehindAWrongWordOrAStatementIsADeclaration) {
+    for (const std::string between : {",", "io := 1;"}) {
+        driver::KeptFiles kept;
+        for (const char* name : {"out", "in", "out", "other"}) {
+            driver::BuildInput input;
+            input.files = {{"src/a.st", "PROGRAM Main\nVAR got : INT; END_VAR\ngot := Worker.out;\nEND_PROGRAM\n"
+                                        "PROGRAM Worker\nVAR_INPUT in : INT; END_VAR\nVAR io : INT; END_VAR " +
+                                            between + "\nVAR_OUTPUT\n    " + name +
+                                            " : INT;\nEND_VAR\nVAR x : INT; END_VAR\nio := in;\nEND_PROGRAM\n"}};
+            SCOPED_TRACE(input.files[0].text);
+            EXPECT_EQ(contentsOf(driver::check(input, kept)), contentsOf(driver::check(input)));
+        }
+    }
+}
+
 TEST(KeptBodies, WhatIsBuiltFromAKeptCheckIsWhatIsBuiltFromTheText) {
     driver::BuildInput input = someProject();
     driver::KeptFiles kept;

@@ -56,6 +56,10 @@ private:
         }
         bool declares = isLowered(pou.body); // lowering charts and lists adds variables to the unit
         for (const syntax::ActionDecl* action : pou.actions) declares = declares || isLowered(action->body);
+        // A section behind a statement or a wrong word is an error, but its variables are declared.
+        const SourceRange body = pou.body.range;
+        for (const syntax::VarSection* section : pou.sections)
+            declares = declares || (section->range.begin >= body.begin && section->range.begin < body.end);
         // The whole body counts as declaration: a changed step is a changed variable.
         if (declares) return;
         add(pou.body);
