@@ -280,8 +280,18 @@ void PropertyGrid::mousePressEvent(QMouseEvent* event) {
     if (const Entry* e = entryOf(item); e && columnAt(event->pos().x()) == 1) editProperty(e->descriptor.id);
 }
 
-void PropertyGrid::keyPressEvent(QKeyEvent* event) {
+// The keys that go to another row; an open editor hands on others too, as Shift before a capital.
+QModelIndex PropertyGrid::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) {
     endEditing(); // as for the mouse
+    return QTreeWidget::moveCursor(action, modifiers);
+}
+
+void PropertyGrid::keyboardSearch(const QString& text) {
+    endEditing(); // as for the mouse
+    QTreeWidget::keyboardSearch(text);
+}
+
+void PropertyGrid::keyPressEvent(QKeyEvent* event) {
     const Entry* e = entryOf(currentItem());
     if (e && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2 ||
               event->key() == Qt::Key_Space)) {

@@ -86,6 +86,7 @@ public:
     /// one before.
     void endEditing();
     QTreeWidgetItem* row(const QString& id) const;
+    void keyboardSearch(const QString& text) override;
 
 signals:
     void previewed(const QString& id, const QVariant& value);
@@ -99,6 +100,7 @@ protected:
     void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;

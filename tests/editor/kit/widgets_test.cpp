@@ -252,6 +252,7 @@ TEST(PropertyGrid, ACommitThatBringsOtherRowsIsMadeBeforeAnotherRowIsGoneTo) {
     const std::function<void(PropertyGrid&)> ways[] = {
         [](PropertyGrid& grid) { QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cellOf(grid, "c").center()); },
         [](PropertyGrid& grid) { QTest::keyClick(&grid, Qt::Key_Down); },
+        [](PropertyGrid& grid) { QTest::keyClick(&grid, Qt::Key_C); },
         [](PropertyGrid& grid) { grid.editProperty("c"); },
         [&rows](PropertyGrid& grid) { grid.setDescriptors(rows("xy")); },
     };
@@ -273,6 +274,28 @@ TEST(PropertyGrid, ACommitThatBringsOtherRowsIsMadeBeforeAnotherRowIsGoneTo) {
         plc::settle();
         EXPECT_EQ(committed, QStringList("b=typed"));
     }
+}
+
+TEST(PropertyGrid, ShiftBeforeACapitalLeavesTheEditorOpen) {
+    PropertyGrid grid;
+    PropertyDescriptor row;
+    row.id = row.label = "name";
+    grid.setDescriptors({row});
+    grid.show();
+    QSignalSpy commits(&grid, &PropertyGrid::committed);
+    grid.editProperty("name");
+    auto* line = grid.findChild<ExpressionEdit*>();
+    ASSERT_TRUE(line);
+    for (const Qt::Key key : {Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt}) {
+        QTest::keyPress(line, key);
+        QTest::keyClick(line, Qt::Key_M, Qt::ShiftModifier);
+        QTest::keyRelease(line, key);
+    }
+    EXPECT_EQ(commits.count(), 0);
+    EXPECT_FALSE(line->isHidden());
+    QTest::keyClick(line, Qt::Key_Return);
+    ASSERT_EQ(commits.count(), 1);
+    EXPECT_EQ(commits[0][1].toString().toUpper(), "MMM");
 }
 
 TEST(PropertyGrid, SpinningPreviewsAndLeavingCommitsOnce) {
