@@ -109,6 +109,7 @@ void DesignPages::openPlace(const QString& file, const QString& element) {
     if (file.startsWith("hmi/themes/")) return editThemes(QFileInfo(file).completeBaseName());
     if (file.endsWith(".csv")) return openTexts();
     if (file.endsWith("recipes.json")) return openRecipes();
+    if (file.endsWith("people.json")) return openPeople();
     if (!file.endsWith(".panel.json")) return openAlarms();
     const QString panel = QFileInfo(file).fileName().chopped(QString(".panel.json").size());
     openPanel(panel);

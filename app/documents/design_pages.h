@@ -38,7 +38,7 @@ public:
     void openPeople() { open("people"); }
     /// The dialog of the project's themes, at that one; as text where it cannot be read.
     void editThemes(const QString& theme = {});
-    /// The place of a finding: an element of a panel, a theme, the texts or the alarms.
+    /// The place of a finding: an element of a panel, or one of the other files that belong to panels.
     void openPlace(const QString& file, const QString& element);
     /// Asks for a name and opens the new panel.
     void newPanel();

@@ -110,7 +110,7 @@ void PanelDesigner::makeActions() {
     grid->setChecked(true);
     snap->setChecked(true);
     add(QStringLiteral("themes"), tr("Edit Themes…"), Icon::Theme, {},
-        [this] { ThemeDialog(m_context, m_name, m_document.panel().text("theme"_text), this).exec(); });
+        [this] { ThemeDialog(m_context, m_name, {}, this).exec(); });
     add(QStringLiteral("zoom-in"), tr("Zoom in"), Icon::ZoomIn, QKeySequence::ZoomIn,
         [this] { m_canvas->setZoom(m_canvas->zoom() * 1.25); });
     add(QStringLiteral("zoom-out"), tr("Zoom Out"), Icon::ZoomOut, QKeySequence::ZoomOut,

@@ -64,6 +64,9 @@ TEST_F(PanelThemesTest, AThemeThatIsMadeIsShownAtOnceAndIsNotTakenForAnothers) {
 }
 
 TEST_F(PanelThemesTest, TheTreeAndTheDesignerOpenTheDialog) {
+    write("hmi/themes/dusk.json", "{}");
+    write("hmi/themes/fog.json", "{}");
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().themes.own().size() == 2; }));
     window->designs().openPanel("overview");
     QTreeWidgetItem* themes = nullptr;
     QTreeWidget& tree = window->projectTree().tree();
@@ -89,6 +92,8 @@ TEST_F(PanelThemesTest, AFindingLeadsToItsThemeOrToTheTextThatCannotBeRead) {
                              EXPECT_EQ(dialog.choice().currentText(), "fog");
                              EXPECT_NE(dialog.weaknesses(), QString());
                          }));
+    window->designs().openPlace("hmi/people.json", {});
+    EXPECT_EQ(window->tabs().currentWidget()->property("pageKey"), "people");
     window->designs().openPlace("hmi/themes/mist.json", {});
     auto* page = qobject_cast<TextPage*>(window->tabs().currentWidget());
     ASSERT_NE(page, nullptr);

@@ -26,7 +26,6 @@ namespace plc::hmi {
 namespace {
 
 constexpr QLatin1String kBase("base");
-constexpr const char* kBases[] = {"light", "dark", "contrast"}; // as in PanelThemeKind
 constexpr int kShownWeaknesses = 3;
 
 /// The roles in groups, each under the heading of its first one.
@@ -50,8 +49,8 @@ std::vector<kit::PropertyDescriptor> rowsOf(const PanelTheme& base) {
     first.label = ThemeDialog::tr("Based on");
     first.toolTip = ThemeDialog::tr("Colours that this theme does not change are those of the base.");
     first.kind = kit::PropertyKind::Enumeration;
-    for (const char* name : kBases)
-        first.choices.push_back({QString::fromLatin1(name), choiceTitle("theme", name), {}});
+    for (const QString& name : PanelTheme::builtIn())
+        first.choices.push_back({name, choiceTitle("theme", name.toStdString()), {}});
     for (const QString& role : PanelTheme::roles()) {
         for (const Group& each : kGroups)
             if (role == QLatin1String(each.first)) group = ThemeDialog::tr(each.heading);
@@ -136,7 +135,10 @@ ThemeDialog::ThemeDialog(DesignContext& context, const QString& panel, const QSt
         m_onDisk.emplace(name, *own);
         begin.themes.emplace(name, Edited{name, *own});
     }
-    begin.shown = begin.themes.contains(theme) ? theme : begin.themes.empty() ? QString() : begin.themes.begin()->first;
+    const QString wanted = theme.isEmpty() && seen ? seen->text("theme") : theme;
+    begin.shown = begin.themes.contains(wanted) ? wanted
+                  : begin.themes.empty()        ? QString()
+                                                : begin.themes.begin()->first;
     showState(std::move(begin));
 }
 
@@ -180,9 +182,7 @@ QString ThemeDialog::whyNot(const QString& name) const {
         if (name.contains(c)) return tr("A theme's name cannot contain %1; choose another name").arg(c);
     if (name.isEmpty() || name.startsWith(u'.')) return tr("A theme's name begins with a letter or a digit");
     const auto isTaken = [&](const QString& other) { return isSameName(name, other); };
-    const bool isThere = std::any_of(std::begin(kBases), std::end(kBases),
-                                     [&](const char* base) { return isTaken(QString::fromLatin1(base)); }) ||
-                         std::ranges::any_of(names(), isTaken);
+    const bool isThere = std::ranges::any_of(PanelTheme::builtIn(), isTaken) || std::ranges::any_of(names(), isTaken);
     if (isThere) return tr("There is a theme %1 already; choose another name").arg(name);
     const QString path = m_context.project().themePath(name);
     if (QFileInfo::exists(path) && !m_onDisk.contains(name)) // it could not be read
@@ -268,7 +268,7 @@ void ThemeDialog::showState(State state) {
     m_grid->setEnabled(isAny);
     const PanelTheme theme = shown();
     m_grid->setDescriptors(rowsOf(PanelTheme::of(theme.kind())));
-    std::map<QString, QVariant> values{{kBase, QString::fromLatin1(kBases[static_cast<size_t>(theme.kind())])}};
+    std::map<QString, QVariant> values{{kBase, PanelTheme::builtIn()[static_cast<qsizetype>(theme.kind())]}};
     for (const QString& role : PanelTheme::roles()) values[role] = theme.color(role);
     m_grid->setValues(values);
     showInPreview(theme);

@@ -21,7 +21,7 @@ namespace plc::hmi {
 class ThemeDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// Begins with that theme, one of the project's; else with the first. `panel` is shown, or the start panel.
+    /// `panel` is shown, or the start panel. Begins with that theme, or the panel's; else with the project's first.
     ThemeDialog(DesignContext& context, const QString& panel, const QString& theme, QWidget* parent = nullptr);
 
     QUndoStack& undoStack() { return m_undo; }

@@ -141,9 +141,12 @@ std::vector<kit::PropertyDescriptor> PropertySheet::rowsOf(const PropertyDescrip
 }
 
 void PropertySheet::rebuild() {
-    if (shapeNow() != m_shape) m_grid->endEditing(); // its row goes
+    QString shape = shapeNow();
+    if (shape != m_shape) {
+        m_grid->endEditing(); // its row goes
+        shape = shapeNow();
+    }
     const ElementIds ids = targets();
-    const QString shape = shapeNow();
     const QString name = QCoreApplication::translate("Hmi", descriptor().title);
     if (ids.size() > 1)
         m_title->setText(tr("%n elements", nullptr, static_cast<int>(ids.size())));

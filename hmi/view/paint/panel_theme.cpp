@@ -55,9 +55,12 @@ const PanelTheme& PanelTheme::of(PanelThemeKind kind) {
 }
 
 const PanelTheme& PanelTheme::named(const QString& name) {
-    if (name == QStringLiteral("dark")) return of(PanelThemeKind::Dark);
-    if (name == QStringLiteral("contrast")) return of(PanelThemeKind::Contrast);
-    return of(PanelThemeKind::Light);
+    return of(static_cast<PanelThemeKind>(std::max(qsizetype(0), builtIn().indexOf(name))));
+}
+
+const QStringList& PanelTheme::builtIn() {
+    static const QStringList names{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
+    return names;
 }
 
 QColor PanelTheme::color(const QString& name) const {
@@ -111,8 +114,7 @@ Result<PanelTheme> PanelTheme::parse(const std::string& utf8, const QString& pla
     if (!json.value.is_object()) return Error{errors::ThemeNotJson(), where};
     const Json base = json.value.value("base", Json("light"));
     const QString name = base.is_string() ? toQString(base) : QString();
-    if (name != QStringLiteral("light") && name != QStringLiteral("dark") && name != QStringLiteral("contrast"))
-        return Error{errors::ThemeBaseUnknown(toUtf8(name)), placeOf("base", utf8, where)};
+    if (!builtIn().contains(name)) return Error{errors::ThemeBaseUnknown(toUtf8(name)), placeOf("base", utf8, where)};
     PanelTheme out = named(name);
     const Json colors = json.value.value("colors", Json::object());
     if (!colors.is_object()) return Error{errors::ThemeNotJson(), placeOf("colors", utf8, where)};
@@ -128,12 +130,11 @@ Result<PanelTheme> PanelTheme::parse(const std::string& utf8, const QString& pla
 }
 
 std::string PanelTheme::write() const {
-    static constexpr const char* kBases[] = {"light", "dark", "contrast"};
     Json colors = Json::object();
     for (const Role& role : kRoles) // in their order, whatever the order of the edits
         if (const QColor own = color(role.name); own != of(m_kind).color(role.name))
             colors[role.name] = toUtf8(own.name(own.alpha() == 255 ? QColor::HexRgb : QColor::HexArgb).toUpper());
-    return Json{{"base", kBases[static_cast<size_t>(m_kind)]}, {"colors", colors}}.dump(2) + '\n';
+    return Json{{"base", toUtf8(builtIn()[static_cast<qsizetype>(m_kind)])}, {"colors", colors}}.dump(2) + '\n';
 }
 
 void PanelTheme::setBase(PanelThemeKind kind) {
@@ -176,7 +177,7 @@ const PanelTheme& PanelThemes::named(const QString& name) const {
 }
 
 QStringList PanelThemes::names() const {
-    QStringList out{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
+    QStringList out = PanelTheme::builtIn();
     for (const auto& [name, theme] : m_own)
         if (!out.contains(name)) out += name;
     return out;

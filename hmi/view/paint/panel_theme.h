@@ -20,6 +20,8 @@ public:
     static const PanelTheme& of(PanelThemeKind kind);
     /// "light", "dark", "contrast"; anything else is light.
     static const PanelTheme& named(const QString& name);
+    /// Their names, as PanelThemeKind counts them.
+    static const QStringList& builtIn();
 
     PanelThemeKind kind() const { return m_kind; }
     bool isDark() const { return m_kind != PanelThemeKind::Light; }
