@@ -22,6 +22,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 namespace plc {
 namespace {
@@ -47,6 +48,7 @@ uint64_t keyOf(SourceRange range) { return uint64_t(range.begin) << 32 | range.e
 /// A unit of the project's sources in both forms.
 struct Drawn {
     ladder::Unit unit;
+    std::vector<uint32_t> functions; // of the program, that run it
     std::vector<ladder::Diagram> forms;
     std::vector<SourceRange> statements; // as they are reported
     bool mayLeave = false;               // by RETURN or a jump: then a rung need not be executed
@@ -118,9 +120,14 @@ public:
 
     void compareScan(const Look& look, const std::shared_ptr<const Look>& owner) {
         ASSERT_TRUE(look.isExact());
-        if (look.fault()) return; // a scan that was left in the middle
+        if (look.fault()) return;                                 // a scan that was left in the middle
+        std::unordered_map<uint32_t, std::vector<uint32_t>> runs; // by function
+        for (uint32_t i = 0; i < look.activations().size(); ++i) runs[look.activations()[i].function].push_back(i);
         for (const Text& text : m_texts)
-            for (const Drawn& drawn : text.units) compareUnit(text, drawn, look, owner);
+            for (const Drawn& drawn : text.units)
+                for (const uint32_t function : drawn.functions)
+                    if (const auto found = runs.find(function); found != runs.end())
+                        compareUnit(text, drawn, function, found->second, look, owner);
     }
 
     size_t compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
@@ -142,6 +149,9 @@ private:
                     if (diagram.nodes[i].expr) ask(drawn, diagram.nodes[i].expr->range);
                 }
             }
+            for (size_t i = 0; i < m_program->functions.size(); ++i)
+                if (m_program->functions[i].name == unit.name && m_program->functions[i].declaration.file == text.id)
+                    drawn.functions.push_back(static_cast<uint32_t>(i));
             text.units.push_back(std::move(drawn));
         }
     }
@@ -292,17 +302,15 @@ private:
         return known;
     }
 
-    void compareUnit(const Text& text, const Drawn& drawn, const Look& look, const std::shared_ptr<const Look>& owner) {
+    void compareUnit(const Text& text, const Drawn& drawn, uint32_t functionIndex, const std::vector<uint32_t>& all,
+                     const Look& look, const std::shared_ptr<const Look>& owner) {
+        const image::FunctionInfo& function = m_program->functions[functionIndex];
         std::map<std::string, std::vector<uint32_t>> runs; // by instance
-        for (uint32_t i = 0; i < look.activations().size(); ++i) {
-            const auto& function = m_program->functions[look.activations()[i].function];
-            if (function.name == drawn.unit.name && function.declaration.file == text.id)
-                runs[function.instanceType.isValid() ? look.instanceOf(i) : std::string()].push_back(i);
-        }
+        for (const uint32_t i : all)
+            runs[function.instanceType.isValid() ? look.instanceOf(i) : std::string()].push_back(i);
         for (const auto& [instance, activations] : runs) {
             if (activations.size() != 1) continue; // places tell of the last run only
             const inside::Activation& run = look.activations()[activations[0]];
-            const image::FunctionInfo& function = m_program->functions[run.function];
             Frame frame;
             if (!function.locals.empty()) frame = {&function, run.frame};
             inFrames += frame.function ? 1 : 0;

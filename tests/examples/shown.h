@@ -8,9 +8,11 @@
 #include "hmi/station/plc_values.h"
 #include "projects/session/session.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace plc {
@@ -40,16 +42,13 @@ public:
         for (std::chrono::nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
             m_values.setPosition(m_session.history().positionAt(at));
             m_values.refresh();
-            for (auto& [name, shown] : m_elements) {
-                std::string look;
-                for (const hmi::BindingId binding : shown.bindings) {
+            for (const auto& [name, bindings] : m_elements)
+                for (const hmi::BindingId binding : bindings) {
                     const hmi::Value& value = m_values.value(binding);
                     if (value.isNone()) return name + ": " + value.text().toStdString();
-                    m_seen[binding.index].insert(value.toLiteral().toStdString());
-                    look += value.toLiteral().toStdString() + " ";
+                    Seen& seen = m_seen.try_emplace(binding.index, Seen{value, false}).first->second;
+                    seen.moved = seen.moved || !(value == seen.first);
                 }
-                shown.looks.insert(look);
-            }
         }
         return {};
     }
@@ -57,7 +56,7 @@ public:
     /// How many expressions had more than one value.
     size_t movedValues() const {
         size_t moved = 0;
-        for (const auto& [expression, seen] : m_seen) moved += seen.size() > 1;
+        for (const auto& [expression, seen] : m_seen) moved += seen.moved;
         return moved;
     }
 
@@ -67,31 +66,34 @@ public:
     std::set<std::string> still() const { return named(false); }
 
 private:
-    struct Shown {
-        std::vector<hmi::BindingId> bindings;
-        std::set<std::string> looks;
+    struct Seen {
+        hmi::Value first;
+        bool moved = false; // it was something else later
     };
 
     void add(const QString& panel, const hmi::Element& element) {
         hmi::forEachBinding(element, [&](const hmi::Found& found) {
             if (found.type != hmi::PropertyType::Target)
-                m_elements[(panel + "/" + element.caption()).toStdString()].bindings.push_back(
-                    m_values.bind(found.text));
+                m_elements[(panel + "/" + element.caption()).toStdString()].push_back(m_values.bind(found.text));
         });
     }
 
     std::set<std::string> named(bool hasMoved) const {
         std::set<std::string> out;
-        for (const auto& [name, shown] : m_elements)
-            if ((shown.looks.size() > 1) == hasMoved) out.insert(name);
+        for (const auto& [name, bindings] : m_elements)
+            if (std::ranges::any_of(bindings, [this](hmi::BindingId binding) {
+                    const auto seen = m_seen.find(binding.index);
+                    return seen != m_seen.end() && seen->second.moved;
+                }) == hasMoved)
+                out.insert(name);
         return out;
     }
 
     session::Session& m_session;
     hmi::PlcValues m_values;
     hmi::PanelLookup m_lookup;
-    std::map<std::string, Shown> m_elements;
-    std::map<size_t, std::set<std::string>> m_seen;
+    std::map<std::string, std::vector<hmi::BindingId>> m_elements; // what each has
+    std::unordered_map<size_t, Seen> m_seen;                       // by binding
 };
 
 } // namespace plc
