@@ -4,6 +4,7 @@
 #include "runtime/compiler/jit/jit.h"
 #include "tests/support/eventually.h"
 #include "tests/support/paths.h"
+#include "tests/support/repeats.h"
 #include "tests/support/rpc_script.h"
 
 #include <gtest/gtest.h>
@@ -145,7 +146,7 @@ TEST_F(DebugAdapter, StandsAtTheSameStatementOfTheRecordingAfterTheFirstStepBack
 }
 
 TEST_F(DebugAdapter, PausesAWayBackThatFindsNothing) {
-    launch({{{"line", 18}, {"condition", "scans = 3000"}}});
+    launch({{{"line", 18}, {"condition", "scans = " + std::to_string(repeats(3000))}}});
     stopAfter("configurationDone");
     setBreakpoints({{{"line", 18}, {"condition", "scans = 32000"}}});
     request("reverseContinue");

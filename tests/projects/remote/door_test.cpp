@@ -48,9 +48,9 @@ Json pairs(const std::vector<std::array<const char*, 2>>& all) {
 
 class DoorTest : public ::testing::Test {
 protected:
+    static void SetUpTestSuite() { jit::setRuntimeSymbols(controller::runtimeSymbols()); }
     void SetUp() override { open({.mayHalt = true}); }
     void open(Rights rights) {
-        jit::setRuntimeSymbols(controller::runtimeSymbols());
         driver::BuildInput input;
         input.files.push_back({"main.st", kPlant});
         door.reset();
