@@ -112,7 +112,7 @@ std::string panelOfAllKinds() {
     return hmi::Json({{"elements", std::move(elements)}}).dump();
 }
 
-bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 8000); }
+bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); }
 
 /// Looks at what `open` shows, a dialog or a popup of its own loop, and closes it.
 void lookAtWhatOpens(const Look& look, const QString& name, QWidget* (*opened)(), const std::function<void()>& open) {

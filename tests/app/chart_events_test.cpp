@@ -328,7 +328,7 @@ TEST_F(ChartEventsTest, QualifiersConditionsAndTheTakenPathAreLive) {
     })) << "waits for its time";
     EXPECT_TRUE(waitFor([&] { return delayed().asks && delayed().isActive; })) << "the time is over";
     EXPECT_TRUE(waitFor([&] { return online.taken[0] > 0; })) << "the way into Work fades";
-    EXPECT_TRUE(waitFor([&] { return online.transitions[1].has_value() && *online.transitions[1]; }, 15000))
+    EXPECT_TRUE(waitFor([&] { return online.transitions[1].has_value() && *online.transitions[1]; }))
         << "the condition holds in the scan in which it is taken";
 }
 

@@ -101,7 +101,7 @@ TEST_F(DamagedProjectTest, IsOpenedLookedAtAndClosedWhateverItsFilesHold) {
             EXPECT_GT(m_said, before) << "it is refused without a word";
             continue;
         }
-        ASSERT_TRUE(waitFor([&] { return window->workspace().model() != nullptr; }, 30'000));
+        ASSERT_TRUE(waitFor([&] { return window->workspace().model() != nullptr; }));
         lookAtEverything();
         window->control().disconnectSession();
         window->closeProject();

@@ -103,7 +103,7 @@ TEST_P(FaultCauseTest, IsSelectedSoThatWhyAsksAboutIt) {
     analysed();
     window->action("file.save")->trigger();
     window->action("run.start")->trigger();
-    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }));
     ASSERT_TRUE(waitFor([&] { return editor().selectedText() == row.cause; }))
         << editor().selectedText().toStdString() << " " << window->control().status().fault->message.english();
     const auto asked = editor().askedAbout();

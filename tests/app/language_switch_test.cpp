@@ -58,7 +58,7 @@ TEST_F(LanguageSwitchTest, TheWindowKeepsItsSize) {
     window->resize(size);
     ASSERT_TRUE(waitFor([&] { return window->size() == size; }));
     choose("Deutsch");
-    ASSERT_TRUE(waitFor([&] { return !window->findChild<KeptSize*>(); }, 40'000)) << "the layout does not rest";
+    ASSERT_TRUE(waitFor([&] { return !window->findChild<KeptSize*>(); })) << "the layout does not rest";
     EXPECT_EQ(window->size(), size) << window->width() << " x " << window->height();
 }
 

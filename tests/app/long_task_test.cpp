@@ -126,18 +126,18 @@ protected:
     }
     QToolButton* cancel() { return window->findChild<QToolButton*>("cancelWork"); }
     bool clickCancelOf(const QString& work) {
-        return waitFor([&] { return cancel()->isVisible() && cancel()->accessibleName().contains(work); }, 30'000) &&
+        return waitFor([&] { return cancel()->isVisible() && cancel()->accessibleName().contains(work); }) &&
                (QTest::mouseClick(cancel(), Qt::LeftButton), true);
     }
     bool runs() {
-        return waitFor([&] { return window->control().value("Plant.scans").text.toInt() > 5; }, 30'000);
+        return waitFor([&] { return window->control().value("Plant.scans").text.toInt() > 5; });
     }
 };
 
 TEST_F(LongBuildTest, ACancelledBuildMakesNoController) {
     window->action("run.start")->trigger();
     ASSERT_TRUE(clickCancelOf("Building"));
-    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }));
     EXPECT_FALSE(window->control().isOnline());
     EXPECT_FALSE(cancel()->isVisible());
     window->action("run.start")->trigger();
@@ -151,7 +151,7 @@ TEST_F(LongBuildTest, ACancelledOnlineChangeLeavesTheRunningProgram) {
     window->workspace().setText("src/main.st", std::string(kMain) + "\n");
     window->action("run.change")->trigger();
     ASSERT_TRUE(clickCancelOf("Building"));
-    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }));
     const auto scans = window->control().status().scans;
     EXPECT_TRUE(waitFor([&] { return window->control().status().scans > scans + 5; }));
     EXPECT_EQ(window->control().session()->program(), program);
@@ -162,7 +162,7 @@ TEST_F(LongBuildTest, CancelledOptimisingLeavesTheQuickCode) {
     window->action("run.start")->trigger();
     ASSERT_TRUE(runs());
     ASSERT_TRUE(clickCancelOf("Optimising")) << "too fast to be seen";
-    ASSERT_TRUE(waitFor([&] { return window->control().session()->optimising() == nullptr; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return window->control().session()->optimising() == nullptr; }));
     EXPECT_EQ(window->control().session()->program()->optimised.load(), nullptr);
     const auto scans = window->control().status().scans;
     EXPECT_TRUE(waitFor([&] { return window->control().status().scans > scans + 5; }));
@@ -215,7 +215,7 @@ TEST_F(LongTaskTest, CancelledTestsEndBetweenTwoScans) {
     ASSERT_TRUE(waitFor([&] { return cancel->isVisible(); }));
     QTest::qWait(300); // a duration: nothing tells from outside that the build is over and scans run
     QTest::mouseClick(cancel, Qt::LeftButton);
-    EXPECT_TRUE(waitFor([&] { return !cancel->isVisible(); }, 10'000));
+    EXPECT_TRUE(waitFor([&] { return !cancel->isVisible(); }));
 }
 
 } // namespace

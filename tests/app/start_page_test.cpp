@@ -42,7 +42,7 @@ TEST(StartPageTest, SeesTraceAndPanelAndIsToldWhatToPress) {
                           std::filesystem::copy_options::recursive);
     ASSERT_TRUE(window.openProject(QString::fromStdString(copy)));
     window.startTour();
-    const auto waitFor = [&](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 10'000); };
+    const auto waitFor = [&](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); };
     EXPECT_TRUE(waitFor([&] {
         return window.live().player() && window.live().player()->isVisible() && window.live().traceView().isVisible();
     }));

@@ -117,7 +117,7 @@ protected:
     /// A step with its key; waits for the mark to come to the line with the text.
     void stepTo(Qt::Key key, Qt::KeyboardModifiers modifiers, const char* text) {
         QTest::keyClick(window.get(), key, modifiers);
-        EXPECT_TRUE(waitFor([&] { return isHalted() && textOfLine(marked()).find(text) != std::string::npos; }, 2000))
+        EXPECT_TRUE(waitFor([&] { return isHalted() && textOfLine(marked()).find(text) != std::string::npos; }))
             << "expected " << text << ", stands at " << (marked() > 0 ? textOfLine(marked()) : "nothing");
     }
 };
@@ -144,10 +144,10 @@ TEST_F(SteppingTest, StepsIntoCallsMethodsAndActionsWithTheCallPathInStep) {
     stepTo(Qt::Key_F10, Qt::ShiftModifier, "pulse(IN");
     // Into the library's block: its source opens.
     QTest::keyClick(window.get(), Qt::Key_F8);
-    EXPECT_TRUE(waitFor([&] { return frames() == "Standard.TON < Main"; }, 2000)) << frames();
-    EXPECT_TRUE(waitFor([&] { return editor().file() != "src/main.st" && marked() > 0; }, 2000));
+    EXPECT_TRUE(waitFor([&] { return frames() == "Standard.TON < Main"; })) << frames();
+    EXPECT_TRUE(waitFor([&] { return editor().file() != "src/main.st" && marked() > 0; }));
     QTest::keyClick(window.get(), Qt::Key_F10, Qt::ShiftModifier);
-    EXPECT_TRUE(waitFor([&] { return frames() == "Main" && editor().file() == "src/main.st"; }, 2000)) << frames();
+    EXPECT_TRUE(waitFor([&] { return frames() == "Main" && editor().file() == "src/main.st"; })) << frames();
 }
 
 TEST_F(SteppingTest, StepsFromAPauseToTheNextStatement) {
@@ -155,7 +155,7 @@ TEST_F(SteppingTest, StepsFromAPauseToTheNextStatement) {
     ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 3; }));
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
-    ASSERT_TRUE(waitFor([&] { return window->action("run.stepIn")->isEnabled(); }, 1000));
+    ASSERT_TRUE(waitFor([&] { return window->action("run.stepIn")->isEnabled(); }));
     stepTo(Qt::Key_F8, Qt::NoModifier, "counter := counter + 1");
 }
 
@@ -224,8 +224,8 @@ TEST_F(SteppingTest, ResetsWhereverItStands) {
     for (const char* reset : {"run.resetWarm", "run.resetCold", "run.resetOrigin"}) {
         haltAt("a(target := counter)");
         window->action(reset)->trigger();
-        EXPECT_TRUE(waitFor([&] { return state() == State::Stopped && counter() == "0"; }, 2000)) << reset;
-        EXPECT_TRUE(waitFor([&] { return marked() == 0; }, 1000)) << "no line is executed any more";
+        EXPECT_TRUE(waitFor([&] { return state() == State::Stopped && counter() == "0"; })) << reset;
+        EXPECT_TRUE(waitFor([&] { return marked() == 0; })) << "no line is executed any more";
         EXPECT_EQ(callPath()->topLevelItemCount(), 0);
 
         window->action("run.start")->trigger();
@@ -233,14 +233,14 @@ TEST_F(SteppingTest, ResetsWhereverItStands) {
         window->action("run.pause")->trigger();
         ASSERT_TRUE(waitFor([&] { return state() == State::Paused; }));
         window->action(reset)->trigger();
-        EXPECT_TRUE(waitFor([&] { return state() == State::Stopped && counter() == "0"; }, 2000)) << reset;
+        EXPECT_TRUE(waitFor([&] { return state() == State::Stopped && counter() == "0"; })) << reset;
 
         window->action("run.start")->trigger();
         ASSERT_TRUE(waitFor([&] { return counter().toInt() > 2; }));
         (void)window->control().write("Main.divisor", "0");
         ASSERT_TRUE(waitFor([&] { return state() == State::Fault; }));
         window->action(reset)->trigger();
-        EXPECT_TRUE(waitFor([&] { return state() == State::Stopped && counter() == "0"; }, 2000)) << reset;
+        EXPECT_TRUE(waitFor([&] { return state() == State::Stopped && counter() == "0"; })) << reset;
         EXPECT_FALSE(window->control().status().fault) << "the fault is gone from the status line";
     }
 }
@@ -283,7 +283,7 @@ TEST_F(SteppingTest, AConditionThatCanNotBeEvaluatedIsToldWhereItHalts) {
     QSignalSpy said(&window->control(), &editor::RunControl::messageAdded);
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return isHalted() && marked() > 0; }));
-    ASSERT_TRUE(waitFor([&] { return said.count() >= 1; }, 1000));
+    ASSERT_TRUE(waitFor([&] { return said.count() >= 1; }));
     EXPECT_TRUE(said.last()[0].toString().contains("nonsense")) << said.last()[0].toString().toStdString();
 }
 

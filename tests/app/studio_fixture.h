@@ -57,7 +57,7 @@ protected:
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     }
-    static bool waitFor(const std::function<bool()>& condition, int ms = 8000) {
+    static bool waitFor(const std::function<bool()>& condition, int ms = 60'000) {
         QElapsedTimer timer;
         timer.start();
         while (timer.elapsed() < ms) {

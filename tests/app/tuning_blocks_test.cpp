@@ -108,10 +108,10 @@ protected:
         ASSERT_TRUE(waitFor([&] { return control().status().scans > now + 3000; }));
     }
     void changeGain(const char* button, const std::string& pin) {
-        ASSERT_TRUE(waitFor([&] { return part<QPushButton>(button)->isEnabled() && control().isUpToDate(); }, 30'000));
+        ASSERT_TRUE(waitFor([&] { return part<QPushButton>(button)->isEnabled() && control().isUpToDate(); }));
         const double before = value(pin.c_str());
         click(button);
-        ASSERT_TRUE(waitFor([&] { return value(pin.c_str()) != before; }, 30'000)) << button;
+        ASSERT_TRUE(waitFor([&] { return value(pin.c_str()) != before; })) << button;
         waitForScans();
     }
     void pause() {

@@ -79,7 +79,7 @@ protected:
     void click(const char* name) { QTest::mouseClick(part<QPushButton>(name), Qt::LeftButton); }
     void findSteps() {
         click("tuningFind");
-        ASSERT_TRUE(waitFor([&] { return part<QComboBox>("tuningModel")->count() > 0; }, 30'000))
+        ASSERT_TRUE(waitFor([&] { return part<QComboBox>("tuningModel")->count() > 0; }))
             << part<QLabel>("tuningState")->text().toStdString();
     }
     /// "Proposed" of a row of the table.
@@ -93,12 +93,10 @@ protected:
     double value(const char* path) { return control().value(path).text.toDouble(); }
     const waveform::Chart& chart(const char* figure) { return part<plot::FigureView>(figure)->figure().charts.front(); }
     bool waitForTrial() {
-        return waitFor(
-            [&] {
-                const auto& charts = part<plot::FigureView>("tuningTrial")->figure().charts;
-                return !charts.empty() && charts.front().curves.size() == 2;
-            },
-            20'000);
+        return waitFor([&] {
+            const auto& charts = part<plot::FigureView>("tuningTrial")->figure().charts;
+            return !charts.empty() && charts.front().curves.size() == 2;
+        });
     }
     /// With STEPWISE_PICTURES=FOLDER the window is saved there, for a look.
     void keepPicture(const QString& name) {

@@ -97,8 +97,7 @@ TEST_F(TuningDock, OneStepAloneCanBeChosen) {
     if (used.front()->checkState(0) == Qt::Checked)
         used.front()->setCheckState(0, Qt::Unchecked); // a style with other margins
     EXPECT_TRUE(waitFor(
-        [&] { return part<QPushButton>("tuningFind")->isEnabled() && part<QLabel>("tuningState")->text() != before; },
-        30'000));
+        [&] { return part<QPushButton>("tuningFind")->isEnabled() && part<QLabel>("tuningState")->text() != before; }));
 }
 
 TEST_F(TuningDock, PicturesForALook) {
@@ -144,8 +143,7 @@ TEST_F(TuningDockWithLoad, ADisturbanceIsListedAndTried) {
     steps->scrollToItem(found.front());
     QTest::mouseClick(steps->viewport(), Qt::LeftButton, {}, steps->visualItemRect(found.front()).center());
     ASSERT_EQ(steps->currentItem(), found.front());
-    ASSERT_TRUE(
-        waitFor([&] { return chart("tuningTrial").title == "The recorded disturbance with these settings"; }, 20'000))
+    ASSERT_TRUE(waitFor([&] { return chart("tuningTrial").title == "The recorded disturbance with these settings"; }))
         << chart("tuningTrial").title;
     ASSERT_EQ(chart("tuningTrial").curves.size(), 2U);
     const auto& recorded = chart("tuningTrial").curves[0];

@@ -79,7 +79,7 @@ class TuningDockAtLimit : public TuningDock {
 TEST_F(TuningDockAtLimit, WithoutAModelTheChangesAndTheHealthAreShown) {
     click("tuningFind");
     auto* steps = part<QTreeWidget>("tuningSteps");
-    ASSERT_TRUE(waitFor([&] { return steps->topLevelItemCount() > 0; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return steps->topLevelItemCount() > 0; }));
     EXPECT_TRUE(part<QLabel>("tuningState")->text().contains("usable"))
         << part<QLabel>("tuningState")->text().toStdString();
     EXPECT_FALSE(part<QLabel>("tuningHealthWords")->text().isEmpty());

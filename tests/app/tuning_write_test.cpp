@@ -29,13 +29,13 @@ TEST_F(TuningDockWithConstants, AreWrittenInTheTextWithAnOnlineChangeAndTakenBac
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
     const uint64_t scans = control().status().scans;
     click("tuningWrite");
-    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") != 900 && value("Main.Kp") != 1.5; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") != 900 && value("Main.Kp") != 1.5; }));
     EXPECT_EQ(source().find("i_rTn := 900.0"), std::string::npos);
     EXPECT_GT(control().status().scans, scans); // it went on
     EXPECT_EQ(control().status().state, controller::State::Running);
     ASSERT_TRUE(waitFor([&] { return control().isUpToDate() && part<QPushButton>("tuningBack")->isEnabled(); }));
     click("tuningBack");
-    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") == 900 && value("Main.Kp") == 1.5; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") == 900 && value("Main.Kp") == 1.5; }));
     EXPECT_EQ(source(), before);
 }
 
@@ -72,7 +72,7 @@ TEST_F(TuningDockWithGainConstant, TheOutputGoesOnWhereItIs) {
     control().start();
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
     click("tuningWrite");
-    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rKp") != gain; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rKp") != gain; }));
     control().pause();
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
     history::Position from = control().session()->history().statistics().first;

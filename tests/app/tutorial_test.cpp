@@ -35,7 +35,7 @@ TEST(Tutorial, ItsStepsWork) {
     QTemporaryDir folder;
     const QString project = folder.path() + "/my_motor";
     ASSERT_TRUE(createProject(project.toStdString(), "My motor", "empty"));
-    const auto waitFor = [](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 8000); };
+    const auto waitFor = [](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); };
     MainWindow window;
     window.show();
     ASSERT_TRUE(window.openProject(project));

@@ -129,7 +129,7 @@ TEST_F(WatchTest, AnOnlineChangeBringsItsNewParts) {
     QSignalSpy changed(&window->control(), &editor::RunControl::onlineChangeFinished);
     window->action("run.change")->trigger();
     ASSERT_TRUE(waitFor([&] { return changed.count() == 1; }));
-    EXPECT_TRUE(waitFor([&] { return row(0)->childCount() == 3; }, 2000));
+    EXPECT_TRUE(waitFor([&] { return row(0)->childCount() == 3; }));
     EXPECT_TRUE(row(0)->isExpanded());
     EXPECT_EQ(row(0)->child(0)->text(3), "12") << "what was prepared is still there";
 }
@@ -154,7 +154,7 @@ TEST_F(WatchTest, PreparesByDoubleClickAndOnlyNamesAndPreparedValuesAreTyped) {
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "70000");
     QTest::keyClick(field, Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { return row(1)->text(3) == "70000"; }, 1000));
+    EXPECT_TRUE(waitFor([&] { return row(1)->text(3) == "70000"; }));
     EXPECT_FALSE(row(1)->toolTip(3).isEmpty()) << "refused while it is typed: no INT";
     row(1)->setText(3, "70");
     EXPECT_TRUE(row(1)->toolTip(3).isEmpty());
@@ -190,7 +190,7 @@ TEST_F(WatchTest, ArrayElementsHaveTheirValuesBesideTheText) {
                 for (const auto& each : values) out << each.name + "=" + each.value;
         return out.join(' ').toStdString();
     };
-    EXPECT_TRUE(waitFor([&] { return names() == "grid[2, 3].x=34 long[3]=33"; }, 2000)) << names();
+    EXPECT_TRUE(waitFor([&] { return names() == "grid[2, 3].x=34 long[3]=33"; })) << names();
 }
 
 TEST_F(WatchTest, TheLogIsFilteredAndCopied) {
@@ -259,11 +259,11 @@ TEST_F(WatchTest, TheDesignersPreviewShowsTheRecordingThatIsOpen) {
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > recorded + 5; }));
     ASSERT_TRUE(window->live().openRecording(path));
-    EXPECT_TRUE(waitFor([&] { return shown() == window->control().value("Main.n").text.toInt(); }, 2000)) << shown();
+    EXPECT_TRUE(waitFor([&] { return shown() == window->control().value("Main.n").text.toInt(); })) << shown();
     window->live().slider().stepScans(-1);
     EXPECT_EQ(shown(), window->control().value("Main.n").text.toInt());
     window->action("time.live")->trigger();
-    EXPECT_TRUE(waitFor([&] { return shown() > recorded; }, 2000));
+    EXPECT_TRUE(waitFor([&] { return shown() > recorded; }));
     window->action("time.back")->trigger(); // the controller's own past, too
     ASSERT_TRUE(waitFor([&] { return window->control().viewed().has_value(); }));
     EXPECT_EQ(shown(), window->control().value("Main.n").text.toInt());

@@ -101,7 +101,7 @@ TEST_F(WhatIfTest, TestsColourTheMarginWithWhatTheyCover) {
     ASSERT_NE(covers, nullptr);
     covers->trigger();
     window->action("run.tests")->trigger();
-    ASSERT_TRUE(waitFor([&] { return !covered("level := level + gain;").empty(); }, 20000));
+    ASSERT_TRUE(waitFor([&] { return !covered("level := level + gain;").empty(); }));
     EXPECT_NE(covered("level := level + gain;").find("run 3 times"), std::string::npos)
         << covered("level := level + gain;");
     EXPECT_NE(covered("full := TRUE;").find("not run"), std::string::npos) << covered("full := TRUE;");
@@ -121,7 +121,7 @@ TEST_F(WhatIfTest, AChartIsColouredWithWhatWasCovered) {
     window->action("run.pause")->trigger();
     EXPECT_TRUE(view->scene().coverage().steps.isEmpty());
     window->action("time.coverage")->trigger();
-    ASSERT_TRUE(waitFor([&] { return !view->scene().coverage().steps.isEmpty(); }, 20000));
+    ASSERT_TRUE(waitFor([&] { return !view->scene().coverage().steps.isEmpty(); }));
     using State = editor::CoverageMark::State;
     const editor::ChartCoverage& shown = view->scene().coverage();
     EXPECT_NE(shown.steps.value(0).state, State::NotRun);
@@ -143,7 +143,7 @@ TEST_F(WhatIfTest, ARecordingColoursTheMarginToo) {
     ASSERT_TRUE(waitFor([&] { return level() > 20; }));
     window->action("run.pause")->trigger();
     window->action("time.coverage")->trigger();
-    ASSERT_TRUE(waitFor([&] { return !covered("level := level + gain;").empty(); }, 20000));
+    ASSERT_TRUE(waitFor([&] { return !covered("level := level + gain;").empty(); }));
     EXPECT_NE(covered("full := TRUE;").find("not run"), std::string::npos);
 }
 

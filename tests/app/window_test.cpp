@@ -117,7 +117,7 @@ TEST_F(StudioTest, AnySpeedCanBeTypedAndTheStatusLineSaysIt) {
             if (each->isVisible() && each->text().contains(text)) return true;
         return false;
     };
-    EXPECT_TRUE(waitFor([&] { return shows("7.25 ×"); }, 3000));
+    EXPECT_TRUE(waitFor([&] { return shows("7.25 ×"); }));
     QTimer::singleShot(100, [] {
         auto* question = qobject_cast<kit::TextQuestion*>(QApplication::activeModalWidget());
         ASSERT_NE(question, nullptr);

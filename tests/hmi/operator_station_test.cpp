@@ -32,14 +32,14 @@ struct Operated : testing::Test {
         station = std::make_unique<OperatorStation>(project, &session);
         if (run) session.startThread({session::Pace::Factor, 5});
     }
-    /// Lets scan and alarms go on until something is so; at most twenty seconds. The operator's clock stands still.
+    /// Lets scan and alarms go on until something is so; at most a minute. The operator's clock stands still.
     template <class Condition> bool waitFor(Condition condition) {
         return QTest::qWaitFor(
             [&] {
                 station->frame(now);
                 return condition();
             },
-            20'000);
+            60'000);
     }
     bool waitFor(const char* expression) {
         const BindingId id = station->values()->bind(QLatin1String(expression));

@@ -81,14 +81,14 @@ inline Panel panelOf(const std::string& elements) {
     return panel ? *panel : Panel();
 }
 
-/// Lets windows and the scan go on until something is so; at most twenty seconds.
+/// Lets windows and the scan go on until something is so; at most a minute.
 template <class Condition> bool waitFor(PanelPlayer& player, Condition condition) {
     return QTest::qWaitFor(
         [&] {
             player.frame();
             return condition();
         },
-        20'000);
+        60'000);
 }
 
 } // namespace plc::hmi

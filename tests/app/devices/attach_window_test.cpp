@@ -98,7 +98,7 @@ TEST_F(AttachedWindow, AnOnlineChangeGoesToTheControllerThere) {
     EXPECT_TRUE(waitFor([&] { return !window->control().isUpToDate(); }));
     ASSERT_TRUE(window->action("run.change")->isEnabled());
     window->action("run.change")->trigger();
-    EXPECT_TRUE(waitFor([&] { return value("Main.limit") == "77"; }, 30'000));
+    EXPECT_TRUE(waitFor([&] { return value("Main.limit") == "77"; }));
     EXPECT_TRUE(waitFor([&] { return window->control().isUpToDate(); }));
 }
 
@@ -113,7 +113,7 @@ TEST_F(AttachedWindow, SaysThatTheLineIsLostAndComesBack) {
     using Remote = editor::RemoteController::State;
     EXPECT_TRUE(waitFor([&] { return attachment().controller().state() == Remote::Attached; }, 60'000));
     const auto recorded = window->control().shownHistory()->statistics().end;
-    EXPECT_TRUE(waitFor([&] { return window->control().shownHistory()->statistics().end > recorded + 5; }, 30'000));
+    EXPECT_TRUE(waitFor([&] { return window->control().shownHistory()->statistics().end > recorded + 5; }));
 }
 
 TEST_F(AttachedWindow, TheDialogSaysWhatIsWrongAndClosesWhenItIsAttached) {
@@ -130,7 +130,7 @@ TEST_F(AttachedWindow, TheDialogSaysWhatIsWrongAndClosesWhenItIsAttached) {
     EXPECT_TRUE(dialog.isVisible());
     dialog.findChild<QLineEdit*>("code")->setText(code());
     dialog.accept();
-    EXPECT_TRUE(waitFor([&] { return !dialog.isVisible(); }, 30'000));
+    EXPECT_TRUE(waitFor([&] { return !dialog.isVisible(); }));
     EXPECT_TRUE(attachment().isAttached());
     ASSERT_FALSE(Attachment::recent().isEmpty());
     EXPECT_EQ(Attachment::recent().front().first, url);

@@ -196,10 +196,10 @@ TEST_F(DevicesDock, TheRunningProgramExchangesValuesOnlyWhenConnected) {
     window->action("run.devices")->trigger();
     EXPECT_FALSE(view().tree().topLevelItem(0)->text(3) == "online") << "there is no controller";
     window->control().start();
-    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 10; }, 30'000));
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 10; }));
     EXPECT_EQ(server.status()[0].channels[0].value, "") << "not connected";
     window->action("run.devices")->trigger();
-    EXPECT_TRUE(waitFor([&] { return server.status()[0].channels[0].value == "1234"; }, 30'000));
+    EXPECT_TRUE(waitFor([&] { return server.status()[0].channels[0].value == "1234"; }));
     EXPECT_TRUE(waitFor([&] { return view().tree().topLevelItem(0)->text(3) == "online"; }));
     EXPECT_TRUE(waitFor([&] { return view().tree().topLevelItem(0)->child(0)->text(4) == "1234"; }));
     const auto* summary = view().findChild<QLabel*>("devicesSummary");
