@@ -5719,6 +5719,10 @@
         <translation>der blev skrevet, mens det var standset ved et stoppunkt</translation>
     </message>
     <message>
+        <source>the scan did more than can be kept: only its beginning is known</source>
+        <translation>scannet gjorde mere, end der kan gemmes: kun dets begyndelse er kendt</translation>
+    </message>
+    <message>
         <source>the scan had a different result when it was run again</source>
         <translation>scannet gav et andet resultat, da det blev kørt igen</translation>
     </message>

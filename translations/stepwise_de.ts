@@ -5719,6 +5719,10 @@
         <translation>während des Halts an einem Haltepunkt wurde geschrieben</translation>
     </message>
     <message>
+        <source>the scan did more than can be kept: only its beginning is known</source>
+        <translation>der Zyklus tat mehr, als aufbewahrt werden kann: nur sein Anfang ist bekannt</translation>
+    </message>
+    <message>
         <source>the scan had a different result when it was run again</source>
         <translation>der Zyklus hatte bei der Wiederholung ein anderes Ergebnis</translation>
     </message>

@@ -5719,6 +5719,10 @@
         <translation>se escribió en él mientras estaba detenido en un punto de interrupción</translation>
     </message>
     <message>
+        <source>the scan did more than can be kept: only its beginning is known</source>
+        <translation>el ciclo hizo más de lo que se puede conservar: solo se conoce su comienzo</translation>
+    </message>
+    <message>
         <source>the scan had a different result when it was run again</source>
         <translation>el ciclo dio otro resultado al repetirlo</translation>
     </message>

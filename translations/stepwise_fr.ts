@@ -5719,6 +5719,10 @@
         <translation>des valeurs ont été écrites pendant l’arrêt à un point d’arrêt</translation>
     </message>
     <message>
+        <source>the scan did more than can be kept: only its beginning is known</source>
+        <translation>le cycle a fait plus que ce qui peut être conservé&#xa0;: seul son début est connu</translation>
+    </message>
+    <message>
         <source>the scan had a different result when it was run again</source>
         <translation>le cycle a donné un autre résultat lors de sa réexécution</translation>
     </message>

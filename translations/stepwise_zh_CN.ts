@@ -5718,6 +5718,10 @@
         <translation>停在断点期间有写入</translation>
     </message>
     <message>
+        <source>the scan did more than can be kept: only its beginning is known</source>
+        <translation>该扫描周期的内容超出可保留的范围：只知道其开头部分</translation>
+    </message>
+    <message>
         <source>the scan had a different result when it was run again</source>
         <translation>重新运行时该扫描周期的结果不同</translation>
     </message>

@@ -86,7 +86,7 @@ void InsideDesk::work() {
             m_bench = std::make_unique<Bench>(*job.history);
             m_benchOwner = job.owner;
         }
-        m_bench->insight.setCancel(job.isCancelled);
+        m_bench->insight.setCancel([isCancelled = job.isCancelled] { return isCancelled->load(); });
         lock.unlock();
         const Finish finish = job.work(*m_bench);
         kit::post(this, [this, generation = job.generation, isCancelled = job.isCancelled, finish] {

@@ -64,7 +64,7 @@ PanelWhy::PanelWhy(const history::History& history, kit::AskWhy question, const 
     const history::Position when = at.value_or(history.statistics().end - 1);
     m_thread = std::thread([this, &history, question, when, asked = inside::Question{expression.toStdString(), {}}] {
         inside::Insight insight(history);
-        insight.setCancel(m_isCancelled);
+        insight.setCancel([isCancelled = m_isCancelled] { return isCancelled->load(); });
         inside::Reasoner reasoner(insight);
         Answer answer;
         switch (question) {

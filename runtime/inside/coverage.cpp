@@ -171,6 +171,7 @@ void Coverage::add(const Look& look) {
 
 size_t Coverage::addAll(const history::History& history, Progress* progress) {
     Insight insight(history);
+    insight.setCancel([progress] { return isCancelled(progress); });
     const history::Statistics all = history.statistics();
     size_t failed = 0;
     for (Position at = all.first; at < all.end; ++at) {

@@ -1,5 +1,6 @@
 #include "runtime/inside/look.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/inside/recorder.h"
 
@@ -242,6 +243,7 @@ Result<std::shared_ptr<const Look>> Insight::lookFrom(history::ScanInput input, 
     Recorder recorder(*look, options);
     look->m_rerun = m_rerunner.runFrom(std::move(input),
                                        {*code, [&](image::RuntimeContext& context) { recorder.attach(context); }});
+    if (isCancelled()) return Error{errors::Cancelled(), ""};
     return std::shared_ptr<const Look>(look);
 }
 

@@ -14,7 +14,6 @@
 #include "runtime/image/watch.h"
 #include "runtime/inside/rerun.h"
 
-#include <atomic>
 #include <mutex>
 #include <unordered_map>
 
@@ -150,10 +149,10 @@ public:
                                                                const LookOptions& options = {});
     [[nodiscard]] const history::History& history() const { return m_history; }
     [[nodiscard]] Rerunner& rerunner() { return m_rerunner; }
-    /// Whoever asked no longer wants to know: long questions end soon, with whatever they have. Another thread may say
-    /// so; null: nobody will.
-    void setCancel(std::shared_ptr<const std::atomic<bool>> cancel) { m_cancel = std::move(cancel); }
-    [[nodiscard]] bool isCancelled() const { return m_cancel && *m_cancel; }
+    /// True of it: whoever asked no longer wants to know; long questions end soon, with whatever they have, and a look
+    /// fails with Cancelled. Asked on the thread of the question; null: nobody will say so.
+    void setCancel(std::function<bool()> isCancelled) { m_rerunner.setCancel(std::move(isCancelled)); }
+    [[nodiscard]] bool isCancelled() const { return m_rerunner.isCancelled(); }
 
 private:
     struct Code {
@@ -166,7 +165,6 @@ private:
 
     const history::History& m_history;
     Rerunner m_rerunner;
-    std::shared_ptr<const std::atomic<bool>> m_cancel;
     std::vector<Code> m_codes;
     std::vector<std::shared_ptr<const Look>> m_looks; // the newest last
 };

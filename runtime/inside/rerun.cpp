@@ -1,5 +1,7 @@
 #include "runtime/inside/rerun.h"
 
+#include "runtime/base/messages.h"
+#include "runtime/controller/leave_hook.h"
 #include "runtime/inside/texts.h"
 
 #include <algorithm>
@@ -18,6 +20,7 @@ Rerunner::Machine& Rerunner::machineOf(const std::shared_ptr<const image::Compil
     // A machine holds two images; somebody who walks over many online changes needs each only for a while.
     if (m_machines.size() >= kMachinesKept) m_machines.clear();
     auto fresh = std::make_unique<Machine>(program);
+    controller::setLeaveHook(fresh->controller, [this] { return isCancelled(); }); // watched, a scan takes far longer
     return *(m_machines[program.get()] = std::move(fresh));
 }
 
@@ -62,6 +65,7 @@ Result<Rerun> Rerunner::run(Position position, const How& how) {
                                    [](const image::OutsideNote& note) { return note.site != 0; });
     for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
         make(rerun, how, occurrence);
+        if (isCancelled()) return Error{errors::Cancelled(), ""};
         compare(rerun, position);
         if (rerun.isExact()) return rerun;
     }

@@ -5,6 +5,7 @@
 #include "runtime/controller/controller.h"
 #include "runtime/history/history.h"
 
+#include <functional>
 #include <map>
 
 namespace plc::inside {
@@ -40,10 +41,16 @@ class Rerunner {
 public:
     using How = RerunHow;
     explicit Rerunner(const history::History& history) : m_history(history) {}
+    Rerunner(const Rerunner&) = delete;
+    Rerunner& operator=(const Rerunner&) = delete;
 
-    /// Scan `position` again.
+    /// Asked every few milliseconds of a scan; true: whoever asked no longer wants to know, and the scan is left in its
+    /// middle. Null: nobody will.
+    void setCancel(std::function<bool()> isCancelled) { m_isCancelled = std::move(isCancelled); }
+    [[nodiscard]] bool isCancelled() const { return m_isCancelled && m_isCancelled(); }
+    /// Scan `position` again. Fails with Cancelled when it was left.
     [[nodiscard]] Result<Rerun> run(Position position, const How& how = {});
-    /// From a changed beginning (what if, why not); nothing to compare with.
+    /// From a changed beginning (what if, why not); nothing to compare with. Of no use when cancelled meanwhile.
     [[nodiscard]] Rerun runFrom(history::ScanInput input, const How& how = {});
 
 private:
@@ -66,6 +73,7 @@ private:
 
     const history::History& m_history;
     std::map<const image::CompiledProgram*, std::unique_ptr<Machine>> m_machines;
+    std::function<bool()> m_isCancelled;
 };
 
 } // namespace plc::inside

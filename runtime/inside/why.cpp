@@ -1,3 +1,4 @@
+#include "runtime/base/messages.h"
 #include "runtime/inside/reasoner_state.h"
 #include "runtime/inside/texts.h"
 
@@ -113,7 +114,7 @@ std::string sourceText(const image::CompiledProgram& program, SourceRange range)
 std::string Reasoner::outcomeOf(history::ScanInput input, const expression::Expression& expression) {
     const uint32_t end = input.program->layout.dataEnd;
     const Rerun made = m_insight.rerunner().runFrom(std::move(input));
-    if (made.image.size() < end) return {};
+    if (made.image.size() < end || m_insight.isCancelled()) return {};
     const expression::Outcome outcome = expression.evaluate(made.image);
     return outcome.hasValue() ? types::toText(expression.types(), outcome.value) : std::string();
 }
@@ -180,9 +181,12 @@ Result<Explanation> Reasoner::why(const Question& question, Position at, uint32_
     if (change) answer.before = then->text(m_insight.history().seek(since - 1));
     if (auto writer = lastWriter(question, at)) answer.writer = std::move(*writer);
     auto look = m_insight.look(since);
+    if (m_insight.isCancelled()) return Error{errors::Cancelled(), question.text};
     if (look) {
         if (!(*look)->isExact())
             answer.doubt = (*look)->doubt().isEmpty() ? texts::CameOutOtherwise() : (*look)->doubt();
+        else if ((*look)->leftOut() > 0)
+            answer.doubt = texts::NotAllIsKept();
         const Slice slice = Slicer(**look, mapOf(**look)).sliceOf(placesOf(*then));
         answer.steps = slice.steps;
         if (change) findTriggers(answer, *then, since, slice, depth);
@@ -276,7 +280,7 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
             if (toggle.kind == Toggle::Kind::Forces) input.start.forces = before->start.forces;
         }
         const Rerun made = m_insight.rerunner().runFrom(std::move(input), how);
-        return asked.text(made.image);
+        return m_insight.isCancelled() ? std::string() : asked.text(made.image);
     };
     std::vector<Toggle> found;
     for (const Toggle& toggle : toggles)
@@ -389,7 +393,10 @@ Result<WhyNot> Reasoner::whyNot(const Question& question, Position at) {
     answer.program = asked->program;
     auto look = m_insight.look(at);
     if (!look) return look.error();
-    if (!(*look)->isExact()) answer.doubt = (*look)->doubt();
+    if (!(*look)->isExact())
+        answer.doubt = (*look)->doubt();
+    else if ((*look)->leftOut() > 0)
+        answer.doubt = texts::NotAllIsKept();
     const Result<history::ScanInput> input = m_insight.history().inputOf(at);
     if (!input) return input.error();
     const image::Layout& layout = asked->program->layout;

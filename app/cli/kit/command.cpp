@@ -21,14 +21,17 @@
 namespace plc::cli {
 
 namespace {
-volatile std::sig_atomic_t g_interrupts = 0;
+std::atomic<int> g_interrupts = 0;
 std::atomic<Progress*> g_cancelled = nullptr; // what a handler touches: without locks
-static_assert(std::atomic<Progress*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+std::atomic<std::atomic<bool>*> g_flag = nullptr;
+static_assert(std::atomic<Progress*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<int>::is_always_lock_free);
 
 extern "C" void onInterrupt(int) {
-    g_interrupts = g_interrupts + 1;
+    const int before = g_interrupts++;
     if (Progress* work = g_cancelled) work->cancel();
-    if (g_interrupts > 1) std::_Exit(kInterrupted);
+    if (std::atomic<bool>* flag = g_flag) *flag = true;
+    if (before > 0) std::_Exit(kInterrupted);
 }
 
 } // namespace
@@ -123,6 +126,17 @@ InterruptCancels::InterruptCancels(Progress& work) {
     if (isInterrupted()) work.cancel();
 }
 InterruptCancels::~InterruptCancels() { g_cancelled = nullptr; }
+
+InterruptFlag::InterruptFlag() {
+    g_flag = &m_isSet;
+    catchInterrupt();
+}
+InterruptFlag::~InterruptFlag() { g_flag = nullptr; }
+
+int interruptedAnswer() {
+    std::cerr << "stepwise: " << errors::AnswerInterrupted().english() << "\n";
+    return kInterrupted;
+}
 
 std::string jsonString(std::string_view text) {
     return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

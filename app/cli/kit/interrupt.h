@@ -2,6 +2,8 @@
 #pragma once
 #include "runtime/base/progress.h"
 
+#include <atomic>
+
 namespace plc::cli {
 
 /// Exit code of a command that Ctrl+C ended before its answer was known, as shells count it.
@@ -15,5 +17,23 @@ public:
     InterruptCancels(const InterruptCancels&) = delete;
     InterruptCancels& operator=(const InterruptCancels&) = delete;
 };
+
+/// While this lives, Ctrl+C sets a flag, for work that asks one; of two the last one's. What was pressed before does
+/// not count: it ended something else.
+class InterruptFlag {
+public:
+    InterruptFlag();
+    ~InterruptFlag();
+    InterruptFlag(const InterruptFlag&) = delete;
+    InterruptFlag& operator=(const InterruptFlag&) = delete;
+
+    [[nodiscard]] bool isSet() const { return m_isSet; }
+
+private:
+    std::atomic<bool> m_isSet = false;
+};
+
+/// Says that Ctrl+C came before the answer; the exit code.
+int interruptedAnswer();
 
 } // namespace plc::cli

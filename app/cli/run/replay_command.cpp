@@ -1,6 +1,7 @@
 #include "app/cli/run/commands.h"
 
 #include "app/cli/kit/errors.h"
+#include "app/cli/kit/interrupt.h"
 #include "app/cli/run/inside_output.h"
 #include "app/cli/run/run_output.h"
 #include "projects/session/versions.h"
@@ -68,8 +69,11 @@ private:
 int lookInside(const Arguments& arguments, const history::History& history, const std::string& scan) {
     const auto position = positionOf(history, scan);
     if (!position) return wrongUse(position.error());
+    const InterruptFlag ctrlC;
     inside::Insight insight(history);
+    insight.setCancel([&] { return ctrlC.isSet(); });
     const auto look = insight.look(*position);
+    if (ctrlC.isSet()) return interruptedAnswer();
     if (!look) return wrongUse(look.error());
     std::cout << (arguments.wantsJson() ? insideJson(**look) + "\n" : insideText(**look));
     return (*look)->isExact() ? kGood : kProgramWrong;
@@ -78,10 +82,13 @@ int lookInside(const Arguments& arguments, const history::History& history, cons
 /// --writers: every change of a value and who made it.
 int listWriters(const Arguments& arguments, const history::History& history, const std::string& text) {
     constexpr size_t kMost = 100'000;
+    const InterruptFlag ctrlC;
     inside::Insight insight(history);
+    insight.setCancel([&] { return ctrlC.isSet(); });
     inside::Reasoner reasoner(insight);
     const history::Statistics all = history.statistics();
     const auto writers = reasoner.writers({text, {}}, all.first, all.end, kMost);
+    if (ctrlC.isSet()) return interruptedAnswer();
     if (!writers) return wrongUse({errors::WritersFailed(writers.error().message), text});
     std::string list;
     for (const inside::Writer& writer : *writers)

@@ -1,6 +1,7 @@
 #include "app/cli/run/commands.h"
 
 #include "app/cli/kit/errors.h"
+#include "app/cli/kit/interrupt.h"
 #include "app/cli/run/inside_output.h"
 #include "app/cli/run/recorded_run.h"
 #include "app/cli/run/run_output.h"
@@ -24,15 +25,19 @@ int answer(const Arguments& arguments, const history::History& history, const st
         if (!position) return wrongUse(position.error());
         at = *position;
     }
+    const InterruptFlag ctrlC;
     inside::Insight insight(history);
+    insight.setCancel([&] { return ctrlC.isSet(); });
     inside::Reasoner reasoner(insight);
     if (arguments.has("--not")) {
         const auto found = reasoner.whyNot({question, {}}, at);
+        if (ctrlC.isSet()) return interruptedAnswer();
         if (!found) return wrongUse(found.error());
         std::cout << (arguments.wantsJson() ? toJson(*found) + "\n" : inside::toText(*found));
         return found->ways.empty() ? kProgramWrong : kGood;
     }
     const auto found = reasoner.why({question, {}}, at);
+    if (ctrlC.isSet()) return interruptedAnswer();
     if (!found) return wrongUse(found.error());
     std::cout << (arguments.wantsJson() ? toJson(*found) + "\n" : inside::toText(*found));
     return kGood;

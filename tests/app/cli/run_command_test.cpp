@@ -3,6 +3,7 @@
 #include "tests/app/cli/command_fixture.h"
 #include "tests/support/long_scans.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -154,6 +155,43 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
             };
             EXPECT_EXIT(interrupted(), testing::ExitedWithCode(40), "") << scan.name << ": " << line[0];
         }
+    }
+}
+
+TEST_F(RunCommand, CtrlCEndsALookIntoALongScan) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    write("long.st", "FUNCTION Next : LINT\nVAR_INPUT q : LINT; END_VAR\nNext := q + 1;\nEND_FUNCTION\n"
+                     "PROGRAM Main\nVAR a, i : LINT; END_VAR\nFOR i := 1 TO " +
+                         std::to_string(repeats(40'000'000)) +
+                         " DO a := Next(a); END_FOR\nEND_PROGRAM\n"
+                         "CONFIGURATION C\nRESOURCE R ON Soft\n"
+                         "TASK T (INTERVAL := T#10ms, PRIORITY := 1, WATCHDOG := T#1h);\n"
+                         "PROGRAM Main WITH T : Main;\nEND_RESOURCE\nEND_CONFIGURATION\n");
+    const std::string recording = path("long.rec");
+    ASSERT_EQ(run({path("long.st"), "--for", "20ms", "--record", recording}), 0) << err;
+    for (const std::vector<std::string>& line : {std::vector<std::string>{"replay", recording, "--inside", "1"},
+                                                 {"replay", recording, "--writers", "Main.a"},
+                                                 {"why", recording, "Main.a"},
+                                                 {"why", recording, "Main.a > 5", "--not"}}) {
+        const auto interrupted = [&] {
+            std::thread presser([] {
+                struct sigaction now {};
+                do {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // a duration: between two looks
+                    ::sigaction(SIGINT, nullptr, &now);
+                } while (now.sa_handler == SIG_DFL);
+                // a duration: that the look has begun cannot be seen from outside
+                std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                const double pressed = processorSeconds();
+                ::kill(::getpid(), SIGINT);
+                while (processorSeconds() - pressed < kAtOnceSeconds)
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // a duration: between two looks
+                std::_Exit(99);
+            });
+            const int code = command(line);
+            std::_Exit(code == 130 && err.find("before the answer was known") != std::string::npos ? 40 : 98);
+        };
+        EXPECT_EXIT(interrupted(), testing::ExitedWithCode(40), "") << line[0] << " " << line[2];
     }
 }
 

@@ -1,3 +1,4 @@
+#include "runtime/inside/why.h"
 #include "tests/projects/random_program.h"
 #include "tests/runtime/inside/recorded.h"
 
@@ -159,4 +160,66 @@ PROGRAM Main VAR o : Outer; p : Other; END_VAR o(); p(); END_PROGRAM)"));
     EXPECT_TRUE((*look)->isExact());
     EXPECT_EQ(texts(**look, (*look)->valuesOf(rangeOf(*session.program(), "n + 1"))), Texts{"2"});
     EXPECT_TRUE((*look)->valuesOf(rangeOf(*session.program(), "n + 2")).empty());
+}
+
+// ---------------------------------------------------------------- long scans
+
+namespace {
+
+/// Its one scan does more than a look keeps.
+const char* const kLongScan = R"(
+FUNCTION Next : LINT
+VAR_INPUT q : LINT; END_VAR
+Next := q + 1;
+END_FUNCTION
+PROGRAM Main
+VAR a, i : LINT; END_VAR
+FOR i := 1 TO 2000000 DO a := Next(a); END_FOR
+END_PROGRAM
+CONFIGURATION C
+RESOURCE R ON Soft
+TASK T (INTERVAL := T#10ms, PRIORITY := 1, WATCHDOG := T#1h);
+PROGRAM Main WITH T : Main;
+END_RESOURCE
+END_CONFIGURATION
+)";
+
+} // namespace
+
+TEST(LongLook, IsLeftInItsMiddleOnRequest) {
+    session::Session session(buildText(kLongScan));
+    session.controller().start();
+    ASSERT_TRUE(session.controller().scan());
+    Insight insight(session.history());
+    int asked = 0;
+    insight.setCancel([&] { return ++asked > 3; });
+    const auto look = insight.look(0);
+    ASSERT_FALSE(look);
+    EXPECT_EQ(look.error().message.english(), "cancelled");
+    EXPECT_LT(asked, 10);
+    asked = 0;
+    Reasoner reasoner(insight);
+    EXPECT_FALSE(reasoner.why({"Main.a", {}}, 0));
+    const auto input = session.history().inputOf(0);
+    ASSERT_TRUE(input);
+    EXPECT_FALSE(insight.lookFrom(*input));
+    insight.setCancel(nullptr);
+    const auto whole = insight.look(0);
+    ASSERT_TRUE(whole) << whole.error().english();
+    EXPECT_TRUE((*whole)->isExact());
+}
+
+TEST(LongLook, SaysThatNotAllIsKept) {
+    session::Session session(buildText(kLongScan));
+    session.controller().start();
+    ASSERT_TRUE(session.controller().scan());
+    Insight insight(session.history());
+    Reasoner reasoner(insight);
+    const auto why = reasoner.why({"Main.a", {}}, 0);
+    ASSERT_TRUE(why) << why.error().english();
+    EXPECT_EQ(why->value, "2000000");
+    EXPECT_EQ(why->doubt.english(), "the scan did more than can be kept: only its beginning is known");
+    const auto whyNot = reasoner.whyNot({"Main.a > 5", {}}, 0);
+    ASSERT_TRUE(whyNot) << whyNot.error().english();
+    EXPECT_EQ(whyNot->doubt.english(), why->doubt.english());
 }
