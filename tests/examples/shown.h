@@ -37,9 +37,11 @@ public:
         }
     }
 
-    /// Looks at the recording four times a second. The name of an element that shows nothing, or nothing.
+    /// Looks at the recording four times a second, of a long one at 4,000 moments. The name of an element that shows
+    /// nothing, or nothing.
     std::string watch(std::chrono::nanoseconds length) {
-        for (std::chrono::nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
+        const auto step = std::max<std::chrono::nanoseconds>(std::chrono::milliseconds(250), length / 4'000);
+        for (std::chrono::nanoseconds at{0}; at < length; at += step) {
             m_values.setPosition(m_session.history().positionAt(at));
             m_values.refresh();
             for (const auto& [name, bindings] : m_elements)
