@@ -45,7 +45,7 @@ struct Answer {
     std::shared_ptr<const inside::Look> look;
 };
 
-/// The same of a recorded scan; nothing where the text is another or the scan came out otherwise.
+/// The same of a recorded scan; nothing where the text is another, the scan came out otherwise or its end is not known.
 Answer answerOf(InsideDesk::Bench& bench, history::Position at, const std::string& path, std::string_view text,
                 inside::TextPart part) {
     std::shared_ptr<const image::CompiledProgram> program;
@@ -57,7 +57,7 @@ Answer answerOf(InsideDesk::Bench& bench, history::Position at, const std::strin
     options.functions = inside::functionsIn(*tree, part.file, part.begin, part.end);
     if (options.functions.empty()) return {ExactText(), nullptr};
     const auto look = bench.insight.look(at, options);
-    if (!look || !(*look)->isExact()) return {};
+    if (!look || !(*look)->isExact() || (*look)->isCut()) return {};
     return {shownOf(**look, part), *look};
 }
 

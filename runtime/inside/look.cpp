@@ -3,6 +3,7 @@
 #include "runtime/base/messages.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/inside/recorder.h"
+#include "runtime/inside/texts.h"
 
 #include <algorithm>
 #include <cstring>
@@ -57,6 +58,12 @@ const Look::Index& Look::index() const {
         m_index = std::move(index);
     });
     return *m_index;
+}
+
+Message Look::doubt() const {
+    if (!m_rerun.doubt.isEmpty()) return m_rerun.doubt;
+    if (!isExact()) return texts::CameOutOtherwise();
+    return m_isCut ? texts::NotAllIsKept() : Message();
 }
 
 types::Value Look::valueOf(const Event& event) const {

@@ -81,10 +81,13 @@ public:
     /// The scan came out as recorded; else differences() says where not, doubt() why.
     [[nodiscard]] bool isExact() const { return m_rerun.isExact(); }
     [[nodiscard]] const std::vector<Difference>& differences() const { return m_rerun.differences; }
-    [[nodiscard]] const Message& doubt() const { return m_rerun.doubt; }
+    /// Also when not all of it was kept, so that what came last is not known; empty: there is none.
+    [[nodiscard]] Message doubt() const;
     [[nodiscard]] const std::optional<controller::Fault>& fault() const { return m_rerun.fault; }
     /// The image after the scan.
     [[nodiscard]] std::span<const std::byte> image() const { return m_rerun.image; }
+    /// The scan did more than eventLimit keeps: what came last is not known.
+    [[nodiscard]] bool isCut() const { return m_isCut; }
     /// Reports that did not fit, or lie outside the windows of their loops.
     [[nodiscard]] uint64_t leftOut() const { return m_leftOut; }
 
@@ -135,6 +138,7 @@ private:
     };
     std::vector<PassOf> m_passes;
     uint64_t m_leftOut = 0;
+    bool m_isCut = false;
     mutable std::once_flag m_indexed;
     mutable std::shared_ptr<const Index> m_index;
 };

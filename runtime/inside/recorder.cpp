@@ -27,6 +27,7 @@ void Recorder::attach(image::RuntimeContext& context) {
     m_look.m_copies.clear();
     m_look.m_passes.clear();
     m_look.m_leftOut = 0;
+    m_look.m_isCut = false;
     m_running.clear();
     m_lastCall = kNone;
 }
@@ -89,7 +90,10 @@ void Recorder::load(image::RuntimeContext& context, const tree::Expr& expr, uint
 bool Recorder::isLeftOut(const void*, WatchKind kind) {
     if (m_running.back().isLeftOut) return true;
     if (kind == WatchKind::Begin || kind == WatchKind::End) return false;
-    if (m_look.m_events.size() >= m_options.eventLimit) return true;
+    if (m_look.m_events.size() >= m_options.eventLimit) {
+        m_look.m_isCut = true;
+        return true;
+    }
     // What was written counts for what is read later.
     return kind != WatchKind::Write &&
            std::any_of(m_running.begin(), m_running.end(), [](const Running& r) { return r.outside != nullptr; });
@@ -119,6 +123,7 @@ void Recorder::begin(uint64_t where, uint32_t function, uint32_t depth) {
         caller.depth = depth;
         caller.isLeftOut = true;
         m_running.push_back(caller);
+        m_look.m_isCut = true;
         return;
     }
     Activation activation;

@@ -182,11 +182,8 @@ Result<Explanation> Reasoner::why(const Question& question, Position at, uint32_
     if (auto writer = lastWriter(question, at)) answer.writer = std::move(*writer);
     auto look = m_insight.look(since);
     if (m_insight.isCancelled()) return Error{errors::Cancelled(), question.text};
-    if (look) {
-        if (!(*look)->isExact())
-            answer.doubt = (*look)->doubt().isEmpty() ? texts::CameOutOtherwise() : (*look)->doubt();
-        else if ((*look)->leftOut() > 0)
-            answer.doubt = texts::NotAllIsKept();
+    if (look) answer.doubt = (*look)->doubt();
+    if (look && !(*look)->isCut()) { // else the way to the value would be that of an earlier one
         const Slice slice = Slicer(**look, mapOf(**look)).sliceOf(placesOf(*then));
         answer.steps = slice.steps;
         if (change) findTriggers(answer, *then, since, slice, depth);
@@ -195,6 +192,8 @@ Result<Explanation> Reasoner::why(const Question& question, Position at, uint32_
     if (at != since || !look) {
         auto now = m_insight.look(at);
         if (!now) return answer;
+        if (answer.doubt.isEmpty()) answer.doubt = (*now)->doubt();
+        if ((*now)->isCut()) return answer;
         const Slice slice = Slicer(**now, mapOf(**now)).sliceOf(placesOf(*asked));
         if (!look) answer.steps = slice.steps;
         Explanation holding;
@@ -393,10 +392,7 @@ Result<WhyNot> Reasoner::whyNot(const Question& question, Position at) {
     answer.program = asked->program;
     auto look = m_insight.look(at);
     if (!look) return look.error();
-    if (!(*look)->isExact())
-        answer.doubt = (*look)->doubt();
-    else if ((*look)->leftOut() > 0)
-        answer.doubt = texts::NotAllIsKept();
+    answer.doubt = (*look)->doubt();
     const Result<history::ScanInput> input = m_insight.history().inputOf(at);
     if (!input) return input.error();
     const image::Layout& layout = asked->program->layout;

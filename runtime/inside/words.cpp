@@ -269,7 +269,7 @@ std::vector<Sentence> sentencesOf(const Explanation& answer) {
                        ? texts::IsSinceBegin(what, answer.value, scanWords(answer.asked))
                        : texts::IsSince(what, answer.value, scanWords(answer.asked), scanWords(answer.since));
     out.push_back({SentenceKind::Head, std::move(head), {}, answer.since, what, {}});
-    if (answer.writer) {
+    if (answer.writer && answer.writer->kind != WriterKind::Unknown) {
         Sentence writer{SentenceKind::Writer,
                         answer.writer->kind == WriterKind::Initial ? texts::ItHasItsInitialValue()
                                                                    : texts::ItWas(writerWords(*answer.writer)),

@@ -174,6 +174,14 @@ Result<Writer> Reasoner::writerOf(const Question&, const image::Place& place, Po
     for (const image::ForcedBytes& forced : (*look)->input().start.forces)
         if (covers(forced.offset, forced.size, forced.bit, place, size))
             if (auto writer = outsideWriter(place, at, shared)) return *writer;
+    if ((*look)->isCut()) { // what wrote it last may be among what was not kept
+        Writer unknown;
+        unknown.kind = WriterKind::Unknown;
+        unknown.program = shared;
+        unknown.at = (*look)->input().stamp;
+        unknown.path = nameOf(program.layout, place);
+        return unknown;
+    }
     const auto end = static_cast<EventIndex>((*look)->events().size());
     const EventIndex last = (*look)->lastWriteBefore(end, place.offset, size, place.bit);
     if (last == kNone) {

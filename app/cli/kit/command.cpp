@@ -23,14 +23,12 @@ namespace plc::cli {
 namespace {
 std::atomic<int> g_interrupts = 0;
 std::atomic<Progress*> g_cancelled = nullptr; // what a handler touches: without locks
-std::atomic<std::atomic<bool>*> g_flag = nullptr;
 static_assert(std::atomic<Progress*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);
 
 extern "C" void onInterrupt(int) {
     const int before = g_interrupts++;
     if (Progress* work = g_cancelled) work->cancel();
-    if (std::atomic<bool>* flag = g_flag) *flag = true;
     if (before > 0) std::_Exit(kInterrupted);
 }
 
@@ -123,15 +121,8 @@ void catchInterrupt() { platform::catchInterrupts(onInterrupt); }
 InterruptCancels::InterruptCancels(Progress& work) {
     g_cancelled = &work;
     catchInterrupt();
-    if (isInterrupted()) work.cancel();
 }
 InterruptCancels::~InterruptCancels() { g_cancelled = nullptr; }
-
-InterruptFlag::InterruptFlag() {
-    g_flag = &m_isSet;
-    catchInterrupt();
-}
-InterruptFlag::~InterruptFlag() { g_flag = nullptr; }
 
 int interruptedAnswer() {
     std::cerr << "stepwise: " << errors::AnswerInterrupted().english() << "\n";

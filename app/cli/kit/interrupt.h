@@ -2,35 +2,19 @@
 #pragma once
 #include "runtime/base/progress.h"
 
-#include <atomic>
-
 namespace plc::cli {
 
 /// Exit code of a command that Ctrl+C ended before its answer was known, as shells count it.
 inline constexpr int kInterrupted = 130;
 
-/// While this lives, Ctrl+C cancels that work (a second one ends the program).
+/// While this lives, Ctrl+C cancels that work (a second one ends the program). What was pressed before does not count:
+/// it ended something else.
 class InterruptCancels {
 public:
     explicit InterruptCancels(Progress& work);
     ~InterruptCancels();
     InterruptCancels(const InterruptCancels&) = delete;
     InterruptCancels& operator=(const InterruptCancels&) = delete;
-};
-
-/// While this lives, Ctrl+C sets a flag, for work that asks one; of two the last one's. What was pressed before does
-/// not count: it ended something else.
-class InterruptFlag {
-public:
-    InterruptFlag();
-    ~InterruptFlag();
-    InterruptFlag(const InterruptFlag&) = delete;
-    InterruptFlag& operator=(const InterruptFlag&) = delete;
-
-    [[nodiscard]] bool isSet() const { return m_isSet; }
-
-private:
-    std::atomic<bool> m_isSet = false;
 };
 
 /// Says that Ctrl+C came before the answer; the exit code.

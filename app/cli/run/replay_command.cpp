@@ -69,11 +69,12 @@ private:
 int lookInside(const Arguments& arguments, const history::History& history, const std::string& scan) {
     const auto position = positionOf(history, scan);
     if (!position) return wrongUse(position.error());
-    const InterruptFlag ctrlC;
+    Progress work;
+    const InterruptCancels ctrlC(work);
     inside::Insight insight(history);
-    insight.setCancel([&] { return ctrlC.isSet(); });
+    insight.setCancel([&] { return work.isCancelled(); });
     const auto look = insight.look(*position);
-    if (ctrlC.isSet()) return interruptedAnswer();
+    if (work.isCancelled()) return interruptedAnswer();
     if (!look) return wrongUse(look.error());
     std::cout << (arguments.wantsJson() ? insideJson(**look) + "\n" : insideText(**look));
     return (*look)->isExact() ? kGood : kProgramWrong;
@@ -82,13 +83,14 @@ int lookInside(const Arguments& arguments, const history::History& history, cons
 /// --writers: every change of a value and who made it.
 int listWriters(const Arguments& arguments, const history::History& history, const std::string& text) {
     constexpr size_t kMost = 100'000;
-    const InterruptFlag ctrlC;
+    Progress work;
+    const InterruptCancels ctrlC(work);
     inside::Insight insight(history);
-    insight.setCancel([&] { return ctrlC.isSet(); });
+    insight.setCancel([&] { return work.isCancelled(); });
     inside::Reasoner reasoner(insight);
     const history::Statistics all = history.statistics();
     const auto writers = reasoner.writers({text, {}}, all.first, all.end, kMost);
-    if (ctrlC.isSet()) return interruptedAnswer();
+    if (work.isCancelled()) return interruptedAnswer();
     if (!writers) return wrongUse({errors::WritersFailed(writers.error().message), text});
     std::string list;
     for (const inside::Writer& writer : *writers)

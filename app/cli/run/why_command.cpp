@@ -25,19 +25,20 @@ int answer(const Arguments& arguments, const history::History& history, const st
         if (!position) return wrongUse(position.error());
         at = *position;
     }
-    const InterruptFlag ctrlC;
+    Progress work;
+    const InterruptCancels ctrlC(work);
     inside::Insight insight(history);
-    insight.setCancel([&] { return ctrlC.isSet(); });
+    insight.setCancel([&] { return work.isCancelled(); });
     inside::Reasoner reasoner(insight);
     if (arguments.has("--not")) {
         const auto found = reasoner.whyNot({question, {}}, at);
-        if (ctrlC.isSet()) return interruptedAnswer();
+        if (work.isCancelled()) return interruptedAnswer();
         if (!found) return wrongUse(found.error());
         std::cout << (arguments.wantsJson() ? toJson(*found) + "\n" : inside::toText(*found));
         return found->ways.empty() ? kProgramWrong : kGood;
     }
     const auto found = reasoner.why({question, {}}, at);
-    if (ctrlC.isSet()) return interruptedAnswer();
+    if (work.isCancelled()) return interruptedAnswer();
     if (!found) return wrongUse(found.error());
     std::cout << (arguments.wantsJson() ? toJson(*found) + "\n" : inside::toText(*found));
     return kGood;

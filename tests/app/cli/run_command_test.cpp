@@ -1,6 +1,7 @@
 // `stepwise run`: the CSV on the standard output, into a pipe and on a full disk; Ctrl+C while it waits; the exit
 // codes.
 #include "tests/app/cli/command_fixture.h"
+#include "tests/support/eventually.h"
 #include "tests/support/long_scans.h"
 #include "tests/support/processor_time.h"
 #include "tests/support/repeats.h"
@@ -94,6 +95,12 @@ TEST_F(RunCommand, AFolderIsNoTable) {
     EXPECT_NE(err.find("none/x.csv"), std::string::npos) << err;
 }
 
+bool catchesInterrupts() {
+    struct sigaction now {};
+    ::sigaction(SIGINT, nullptr, &now);
+    return now.sa_handler != SIG_DFL;
+}
+
 TEST_F(RunCommand, CtrlCEndsAWaitAtOnceAndStillReports) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     std::string slow = kCounter;
@@ -101,11 +108,7 @@ TEST_F(RunCommand, CtrlCEndsAWaitAtOnceAndStillReports) {
     write("slow.st", slow);
     const auto interrupted = [&] {
         std::thread presser([] {
-            struct sigaction now {};
-            do {
-                std::this_thread::sleep_for(std::chrono::milliseconds(20)); // a duration: between two looks
-                ::sigaction(SIGINT, nullptr, &now);
-            } while (now.sa_handler == SIG_DFL);
+            eventually(catchesInterrupts);
             // a duration: the first scan is over; that the run waits for the next one cannot be seen from outside
             std::this_thread::sleep_for(std::chrono::milliseconds(500));
             ::kill(::getpid(), SIGINT);
@@ -137,12 +140,8 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
                 double pressed = 0;
                 std::atomic<bool> isOver = false;
                 std::thread presser([&pressed, &isOver] {
-                    struct sigaction now {};
-                    do {
-                        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // a duration: between two looks
-                        ::sigaction(SIGINT, nullptr, &now);
-                    } while (now.sa_handler == SIG_DFL && !isOver);
-                    if (now.sa_handler == SIG_DFL) std::_Exit(98); // refused: it has not run
+                    eventually([&] { return catchesInterrupts() || isOver; });
+                    if (!catchesInterrupts()) std::_Exit(98); // refused: it has not run
                     // a duration: that the scan has begun cannot be seen from outside
                     std::this_thread::sleep_for(std::chrono::milliseconds(300));
                     pressed = processorSeconds();
@@ -175,17 +174,12 @@ TEST_F(RunCommand, CtrlCEndsALookIntoALongScan) {
                                                  {"why", recording, "Main.a > 5", "--not"}}) {
         const auto interrupted = [&] {
             std::thread presser([] {
-                struct sigaction now {};
-                do {
-                    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // a duration: between two looks
-                    ::sigaction(SIGINT, nullptr, &now);
-                } while (now.sa_handler == SIG_DFL);
+                eventually(catchesInterrupts);
                 // a duration: that the look has begun cannot be seen from outside
                 std::this_thread::sleep_for(std::chrono::milliseconds(300));
                 const double pressed = processorSeconds();
                 ::kill(::getpid(), SIGINT);
-                while (processorSeconds() - pressed < kAtOnceSeconds)
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // a duration: between two looks
+                eventually([&] { return processorSeconds() - pressed >= kAtOnceSeconds; });
                 std::_Exit(99);
             });
             const int code = command(line);

@@ -1,4 +1,5 @@
 #include "runtime/inside/why.h"
+#include "runtime/inside/words.h"
 #include "tests/projects/random_program.h"
 #include "tests/runtime/inside/recorded.h"
 
@@ -219,6 +220,11 @@ TEST(LongLook, SaysThatNotAllIsKept) {
     ASSERT_TRUE(why) << why.error().english();
     EXPECT_EQ(why->value, "2000000");
     EXPECT_EQ(why->doubt.english(), "the scan did more than can be kept: only its beginning is known");
+    EXPECT_TRUE(why->steps.empty()) << "those of an earlier value";
+    ASSERT_TRUE(why->writer);
+    EXPECT_EQ(why->writer->kind, WriterKind::Unknown);
+    for (const Sentence& sentence : sentencesOf(*why))
+        EXPECT_NE(sentence.kind, SentenceKind::Writer) << sentence.text.english();
     const auto whyNot = reasoner.whyNot({"Main.a > 5", {}}, 0);
     ASSERT_TRUE(whyNot) << whyNot.error().english();
     EXPECT_EQ(whyNot->doubt.english(), why->doubt.english());
