@@ -197,7 +197,8 @@ void SlowScanView::show() {
     QStringList passes;
     for (const uint64_t pass : m_scan->passes()) passes << QString::number(pass + 1);
     if (!passes.isEmpty()) where += tr(" · pass %1", "of loops, outermost first").arg(passes.join(u'.'));
-    if (const Message doubt = m_look->doubt(); !doubt.isEmpty()) where += QChar(u'\n') + kit::messageText(doubt);
+    if (const Message doubt = m_look->doubt(); !doubt.isEmpty())
+        where += QChar(u'\n') + kit::messageText(inside::texts::Note(doubt));
     m_state->setText(where);
     for (const inside::SlowScan::Frame& frame : m_scan->stackTrace()) {
         auto* item = new QTreeWidgetItem(m_frames, {kit::fromView(frame.function), kit::fromView(frame.instance)});
