@@ -90,7 +90,7 @@ tuning::LoopReport TuningView::report() const {
         const std::string source = loops::sourceOf(m_finding->loop, m_finding->program, pin);
         return source.empty() ? m_finding->loop.pin(pin) : source;
     };
-    tuning::LoopReport out{m_finding->series, m_finding->study, m_finding->loop.name,
+    tuning::LoopReport out{m_finding->recorded.series, m_finding->study, m_finding->loop.name,
                            variable(m_finding->loop.form->output), m_finding->loop.pin(m_finding->loop.form->input)};
     out.health = m_finding->health;
     if (m_finding->problem) out.whyNoModel = m_finding->problem->message;
@@ -99,7 +99,7 @@ tuning::LoopReport TuningView::report() const {
     out.cycle = m_finding->settings.cycle;
     out.now = m_now;
     out.rule = static_cast<tuning::Rule>(m_rule->currentData().toInt());
-    const tuning::LoopConditions conditions{out.cycle, tuning::noiseOf(m_finding->series.output), 0};
+    const tuning::LoopConditions conditions{out.cycle, tuning::noiseOf(m_finding->recorded.series.output), 0};
     for (const tuning::Rule rule : tuning::allRules())
         if (const auto gains = tuning::tune(model(), rule, wish()))
             out.settings.push_back({rule, tuning::assess(model(), *gains, conditions)});

@@ -62,7 +62,7 @@ void TuningView::showModelWords() {
 void TuningView::propose() {
     if (m_isFilling || !m_finding || m_finding->study.models.empty()) return;
     const tuning::ProcessModel process = model();
-    tuning::LoopConditions conditions{m_finding->settings.cycle, tuning::noiseOf(m_finding->series.output), 0};
+    tuning::LoopConditions conditions{m_finding->settings.cycle, tuning::noiseOf(m_finding->recorded.series.output), 0};
     const auto rule = static_cast<tuning::Rule>(m_rule->currentData().toInt());
     const auto gains = tuning::tune(process, rule, wish());
     conditions.duration = tuning::trialDuration(process, gains.value_or(m_finding->settings.gains));
@@ -129,7 +129,7 @@ void TuningView::showCharts() {
     waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     waveform::Chart residual{tr("Residuals of the model").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     for (size_t i = 0; i < study.used.size(); ++i) {
-        const auto times = timesOf(m_finding->series, study.steps[study.used[i]], study.excerpts[i]);
+        const auto times = timesOf(m_finding->recorded.series, study.steps[study.used[i]], study.excerpts[i]);
         const auto name = [&](const QString& what) { return i == 0 ? what.toStdString() : std::string(); };
         data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, waveform::CurveStyle::Dots});
         data.curves.push_back(
@@ -208,10 +208,9 @@ size_t TuningView::triedStep() const {
 }
 
 Result<loops::TrialRun> TuningView::trialOf(const tuning::FoundStep& step, const session::Run& run) {
-    const history::Position first = m_finding->end - m_finding->series.size();
-    const history::Position to = std::min<history::Position>(m_finding->end, first + step.end);
-    const history::Position from =
-        std::max({first + step.begin, to > kMostTried ? to - kMostTried : 0, m_finding->first});
+    const loops::RecordedSeries& recorded = m_finding->recorded;
+    auto [from, to] = recorded.scansOf(step.begin, std::min(step.end, recorded.series.size()));
+    if (to - from > kMostTried) from = to - kMostTried;
     auto plan = loops::planFor(m_finding->loop, run.history(), from, to);
     if (!plan) return plan.error();
     plan->writes = writes();

@@ -303,23 +303,21 @@ void TuningView::findSteps() {
 Result<std::shared_ptr<TuningView::Finding>> TuningView::searched(std::shared_ptr<Finding> finding,
                                                                   const history::History& history,
                                                                   std::span<const std::byte> image) {
-    auto series = loops::seriesOf(history, loops::signalsOf(finding->loop));
-    if (!series) return series.error();
-    finding->series = std::move(*series);
+    auto recorded = loops::seriesOf(history, loops::signalsOf(finding->loop));
+    if (!recorded) return recorded.error();
+    finding->recorded = std::move(*recorded);
+    tuning::LoopSeries& series = finding->recorded.series;
     finding->settings = loops::settingsOf(finding->loop, *finding->program, image);
-    finding->series.low = finding->settings.low;
-    finding->series.high = finding->settings.high;
-    auto study = tuning::study(finding->series);
+    series.low = finding->settings.low;
+    series.high = finding->settings.high;
+    auto study = tuning::study(series);
     if (study) {
         finding->study = std::move(*study);
     } else { // what was found and why none of it is usable; how the loop is doing can be said all the same
-        finding->study.steps = tuning::findSteps(finding->series);
+        finding->study.steps = tuning::findSteps(series);
         finding->problem = study.error();
     }
     look(*finding);
-    const history::Statistics all = history.statistics();
-    finding->first = all.first;
-    finding->end = all.end;
     return finding;
 }
 
@@ -328,7 +326,7 @@ void TuningView::look(Finding& finding) {
     if (!finding.study.models.empty())
         now = tuning::analyse(finding.study.models.front().model, finding.settings.gains,
                               tuning::samplingDelay(finding.settings.cycle));
-    finding.health = tuning::healthOf(finding.series, tuning::limitsOf(finding.series, now));
+    finding.health = tuning::healthOf(finding.recorded.series, tuning::limitsOf(finding.recorded.series, now));
 }
 
 void TuningView::show(std::shared_ptr<Finding> finding) {
@@ -377,7 +375,7 @@ void TuningView::showSteps() {
         const tuning::FoundStep& step = study.steps[i];
         const bool isUsed = std::find(study.used.begin(), study.used.end(), i) != study.used.end();
         auto* item = new QTreeWidgetItem(m_steps);
-        item->setText(1, plot::momentText(std::llround(m_finding->series.time[step.step] * 1e9)));
+        item->setText(1, plot::momentText(std::llround(m_finding->recorded.series.time[step.step] * 1e9)));
         item->setText(2, step.moved == tuning::Moved::SetPoint ? tr("set point")
                          : step.moved == tuning::Moved::Input  ? tr("output")
                                                                : tr("disturbance"));
@@ -399,7 +397,7 @@ void TuningView::fitChosenSteps() {
     if (chosen.empty()) return m_state->setText(tr("Choose at least one step."));
     runAside([finding = m_finding, chosen]() -> Result<std::shared_ptr<Finding>> {
         auto changed = std::make_shared<Finding>(*finding);
-        auto study = tuning::study(changed->series, changed->study.steps, chosen);
+        auto study = tuning::study(changed->recorded.series, changed->study.steps, chosen);
         if (!study) return study.error();
         changed->study = std::move(*study);
         changed->problem.reset();

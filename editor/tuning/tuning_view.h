@@ -48,12 +48,11 @@ private:
         loops::Loop loop;
         loops::ProgramPointer program;
         std::shared_ptr<const driver::BuildInput> input; // null: a recording from a file
-        tuning::LoopSeries series;
+        loops::RecordedSeries recorded;
         tuning::Study study;          // without models where none was found:
         std::optional<Error> problem; // why
         tuning::Health health;
         loops::Settings settings;
-        history::Position first = 0, end = 0; // of the recording when it was searched
     };
     QWidget* makeHead();
     QWidget* makeSettings();

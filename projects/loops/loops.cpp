@@ -1,6 +1,7 @@
 #include "projects/loops/loops.h"
 
 #include "projects/loops/errors.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -179,12 +180,26 @@ public:
         return std::unique_ptr<Channel>(new Channel(*expression, recompileOf(history, text)));
     }
     void read(const history::History& history, const std::vector<history::PositionRange>& ranges, bool wantsTime) {
-        for (const history::PositionRange& range : ranges)
+        size_t rowsBefore = 0; // of the range
+        for (const history::PositionRange& range : ranges) {
             forEachSample(history, m_expression, m_recompile, range, [&](const history::Sample& sample) {
+                const size_t row = rowsBefore + static_cast<size_t>(sample.at.position - range.begin);
+                if (row != first + values.size()) beginAt(row);
                 if (wantsTime) time.push_back(std::chrono::duration<double>(sample.at.time).count());
                 values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
             });
+            rowsBefore += static_cast<size_t>(range.end - range.begin);
+        }
+        if (rowsBefore != first + values.size()) beginAt(rowsBefore); // the last scans are gone, too
     }
+    /// Drops the values of the rows before.
+    void beginAt(size_t row) {
+        const auto old = static_cast<std::ptrdiff_t>(std::min(row - first, values.size()));
+        values.erase(values.begin(), values.begin() + old);
+        if (!time.empty()) time.erase(time.begin(), time.begin() + old);
+        first = row;
+    }
+    size_t first = 0; // row of the first value: what was recorded before was forgotten while it was read
     std::vector<double> time, values;
 
 private:
@@ -194,12 +209,37 @@ private:
     history::Recompile m_recompile;
 };
 
+/// The first ones.
+void dropRows(std::vector<history::PositionRange>& scans, size_t rows) {
+    while (!scans.empty() && rows > 0) {
+        const size_t dropped = std::min(rows, static_cast<size_t>(scans.front().end - scans.front().begin));
+        scans.front().begin += dropped;
+        rows -= dropped;
+        if (scans.front().begin == scans.front().end) scans.erase(scans.begin());
+    }
+}
+
 } // namespace
 
-Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels) {
+history::PositionRange RecordedSeries::scansOf(size_t begin, size_t end) const {
+    PLC_ASSERT(begin < end && end <= series.size(), return {});
+    size_t rowsBefore = 0; // of the range
+    for (const history::PositionRange& range : scans) {
+        const size_t rows = static_cast<size_t>(range.end - range.begin);
+        if (end <= rowsBefore + rows)
+            return {range.begin + (std::max(begin, rowsBefore) - rowsBefore), range.begin + (end - rowsBefore)};
+        rowsBefore += rows;
+    }
+    return {};
+}
+
+Result<RecordedSeries> seriesOf(const history::History& history, const Signals& channels) {
     const history::Statistics all = history.statistics();
-    auto ranges = history::chainTo(history.branches(), all.end);
-    for (history::PositionRange& range : ranges) range.begin = std::max(range.begin, all.first);
+    RecordedSeries out;
+    for (history::PositionRange range : history::chainTo(history.branches(), all.end)) {
+        range.begin = std::max(range.begin, all.first);
+        if (range.begin < range.end) out.scans.push_back(range);
+    }
     struct Reading {
         std::unique_ptr<Channel> channel;
         std::vector<double> tuning::LoopSeries::*target;
@@ -217,19 +257,20 @@ Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signa
     // an hour of 1 ms scans takes a while: all of them at once
     for (Reading& reading : readings)
         reading.done = std::async(std::launch::async, [&, wantsTime = &reading == readings.data()] {
-            reading.channel->read(history, ranges, wantsTime);
+            reading.channel->read(history, out.scans, wantsTime);
         });
-    for (Reading& reading : readings) reading.done.get();
-    tuning::LoopSeries out;
-    if (!readings.empty()) out.time = std::move(readings.front().channel->time);
-    size_t count = out.time.size(); // scans came while they were read
+    size_t first = 0; // the row that all of them have
     for (Reading& reading : readings) {
-        count = std::min(count, reading.channel->values.size());
-        out.*reading.target = std::move(reading.channel->values);
+        reading.done.get();
+        first = std::max(first, reading.channel->first);
     }
-    for (std::vector<double>* column : {&out.time, &out.input, &out.output, &out.setPoint})
-        if (!column->empty()) column->resize(count);
-    if (auto checked = tuning::checkSeries(out); !checked) return checked.error();
+    for (Reading& reading : readings) {
+        reading.channel->beginAt(first);
+        out.series.*reading.target = std::move(reading.channel->values);
+    }
+    if (!readings.empty()) out.series.time = std::move(readings.front().channel->time);
+    dropRows(out.scans, first);
+    if (auto checked = tuning::checkSeries(out.series); !checked) return checked.error();
     return out;
 }
 

@@ -27,8 +27,18 @@ struct Signals {
     std::string input, output, setPoint; // expressions; the set point's may be empty
 };
 [[nodiscard]] Signals signalsOf(const Loop& loop);
-/// On the newest branch, as far as the recording reaches back.
-[[nodiscard]] Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels);
+
+/// Signals as they were recorded; a row holds values of one scan.
+struct RecordedSeries {
+    tuning::LoopSeries series;
+    std::vector<history::PositionRange> scans; // of the rows, in their order; more than one where time went back
+    /// The scans of rows [begin, end), not empty: those that lead to the last one without a way back between them.
+    [[nodiscard]] history::PositionRange scansOf(size_t begin, size_t end) const;
+    [[nodiscard]] history::Position position(size_t row) const { return scansOf(row, row + 1).begin; }
+};
+/// On the newest branch, as far as the recording reaches back. Scans that are forgotten while they are read are left
+/// out of all columns.
+[[nodiscard]] Result<RecordedSeries> seriesOf(const history::History& history, const Signals& channels);
 
 /// What the block works with at a scan.
 struct Settings {

@@ -69,9 +69,12 @@ Result<Played> playedOf(const history::History& history, const ProgramPointer& p
         return &of == program.get() ? *expression : expression::Expression();
     };
     for (const history::Sample& sample : history.samples(*expression, onlyThis, plan.from + 1, plan.to)) {
-        if (!sample.hasValue) return Error{errors::TrialAcrossVersions(), path};
+        const bool isNext = sample.at.position == plan.from + 1 + out.values.size();
+        if (!sample.hasValue || !isNext) return Error{errors::TrialAcrossVersions(), path};
         out.values.push_back(asHeld(*program, *place, sample));
     }
+    // the oldest scans may be forgotten between one variable and the next
+    if (plan.from + 1 + out.values.size() != plan.to) return Error{errors::TrialAcrossVersions(), path};
     return out;
 }
 

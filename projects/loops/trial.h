@@ -28,7 +28,7 @@ struct ParameterWrite {
                                             double value);
 
 struct TrialPlan {
-    history::Position from = 0, to = 0; // scans of one version of the program
+    history::Position from = 0, to = 0; // scans of one version of the program, all of them recorded
     std::string input, measured;        // paths; the measured value is forced
     std::vector<std::string> played;    // others that are forced to what was recorded: a set point, other inputs
     std::vector<ParameterWrite> writes; // before the first scan

@@ -84,6 +84,22 @@ TEST_F(TuningDock, TheBodePlotHasTheMarginsOfTheTable) {
     EXPECT_LT(bode->figure().charts[0].notes.front().x, before); // calm: crosses over at less
 }
 
+TEST_F(TuningDock, AStepFoundWhileTheControllerRunsIsTriedOnItsOwnScans) {
+    control().start();
+    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
+    findSteps();
+    control().pause();
+    ASSERT_TRUE(waitForTrial()) << chart("tuningTrial").title;
+    auto* steps = part<QTreeWidget>("tuningSteps");
+    ASSERT_TRUE(steps->currentItem());
+    // the change is at 1,500 scans or a multiple of it, and the curve around it shows it
+    const std::vector<double>& times = chart("tuningTrial").curves.front().x;
+    const QString moment = steps->currentItem()->text(1);
+    EXPECT_TRUE(std::any_of(times.begin(), times.end(),
+                            [&](double time) { return plot::momentText(std::llround(time * 1e9)) == moment; }))
+        << moment.toStdString() << " is not between " << times.front() << " and " << times.back() << " s";
+}
+
 TEST_F(TuningDock, OneStepAloneCanBeChosen) {
     findSteps();
     auto* steps = part<QTreeWidget>("tuningSteps");

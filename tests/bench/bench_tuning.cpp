@@ -91,14 +91,14 @@ int main(int argc, char** argv) {
 
     const Stopwatch all;
     const Stopwatch reading;
-    const auto series = loops::seriesOf(session.history(), loops::signalsOf(*loop));
-    if (!series) return 1;
+    const auto recorded = loops::seriesOf(session.history(), loops::signalsOf(*loop));
+    if (!recorded) return 1;
     print("read the three signals from the recording", reading.milliseconds());
     const Stopwatch finding;
-    const auto steps = tuning::findSteps(*series);
+    const auto steps = tuning::findSteps(recorded->series);
     print("find the steps", finding.milliseconds());
     const Stopwatch modelling;
-    const auto study = tuning::study(*series);
+    const auto study = tuning::study(recorded->series);
     if (!study) return 1;
     print("find and model", modelling.milliseconds());
     print("all together (goal: 2000 ms)", all.milliseconds());

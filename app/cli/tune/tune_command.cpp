@@ -221,9 +221,9 @@ int tuneHistory(const Arguments& arguments, const Question& question, const hist
         if (std::string source = loops::sourceOf(*report.loop, programs.back(), report.loop->form->output);
             !source.empty())
             report.measuredName = std::move(source);
-    auto series = loops::seriesOf(history, report.channels);
-    if (!series) return wrongUse(series.error());
-    report.series = std::move(*series);
+    auto recorded = loops::seriesOf(history, report.channels);
+    if (!recorded) return wrongUse(recorded.error());
+    report.series = std::move(recorded->series);
     std::optional<loops::Settings> settings;
     if (report.loop) {
         const history::Statistics all = history.statistics();

@@ -76,13 +76,62 @@ TEST_F(Loops, AreNamedInPart) {
 TEST_F(Loops, SignalsComeFromTheRecording) {
     const auto series = seriesOf(session->history(), signalsOf(*findLoop(*built.program, "Main.pid")));
     ASSERT_TRUE(series) << series.error().english();
-    EXPECT_EQ(series->size(), 200U);
-    EXPECT_NEAR(series->time[10], 0.5, 1e-9);
-    EXPECT_EQ(series->setPoint[5], 10);
-    EXPECT_GT(series->output.back(), 5);
+    EXPECT_EQ(series->series.size(), 200U);
+    EXPECT_NEAR(series->series.time[10], 0.5, 1e-9);
+    EXPECT_EQ(series->series.setPoint[5], 10);
+    EXPECT_GT(series->series.output.back(), 5);
     EXPECT_EQ(seriesOf(session->history(), {"Main.nothing", "Main.Gain", ""}).error().english().find("nothing") != 0,
               true);
     EXPECT_FALSE(seriesOf(session->history(), {"Main.nothing", "Main.Gain", ""}));
+}
+
+TEST(RecordedLoop, IsReadScanByScanWhileTheOldestScansAreForgotten) {
+    // three names of one count: where they differ, values of different scans stand side by side
+    driver::BuildInput input;
+    input.files = {{"main.st", R"(PROGRAM Main
+VAR count, same, again : UDINT; END_VAR
+count := count + 1;
+same := count;
+again := count;
+END_PROGRAM
+)"}};
+    const driver::Built counter = driver::build(input);
+    ASSERT_TRUE(counter.program);
+    session::Settings settings;
+    settings.historyBudget = size_t(4) << 20;
+    session::Session session(counter, settings);
+    session.startThread({session::Pace::Fastest, 1.0});
+    while (session.history().statistics().first == 0) std::this_thread::yield();
+    for (int i = 0; i < 50; ++i) {
+        const auto recorded = seriesOf(session.history(), {"Main.count", "Main.same", "Main.again"});
+        if (!recorded) continue; // all of it was forgotten while it was read
+        const tuning::LoopSeries& series = recorded->series;
+        ASSERT_EQ(series.input.size(), series.output.size());
+        for (size_t at = 0; at < series.size(); ++at) {
+            ASSERT_EQ(series.input[at], series.output[at]) << "row " << at << " of " << series.size();
+            ASSERT_EQ(series.input[at], series.setPoint[at]) << "row " << at << " of " << series.size();
+        }
+        for (const size_t at : {size_t(0), series.size() / 2, series.size() - 1}) // each scan counts one
+            ASSERT_EQ(recorded->position(at), static_cast<history::Position>(series.input[at]) - 1) << "sample " << at;
+    }
+}
+
+TEST(RecordedLoop, KnowsItsScansWhereTimeWentBack) {
+    const driver::Built built = buildProgram();
+    ASSERT_TRUE(built.program);
+    session::Session session(built);
+    session.runHere([](const controller::Controller& c) { return c.nextScan() >= 100; });
+    ASSERT_TRUE(session.resumeFrom(39));
+    session.runHere([](const controller::Controller& c) { return c.nextScan() >= 60; });
+    const auto recorded = seriesOf(session.history(), signalsOf(*findLoop(*built.program, "Main.pid")));
+    ASSERT_TRUE(recorded) << recorded.error().english();
+    ASSERT_EQ(recorded->series.size(), 60U);
+    EXPECT_EQ(recorded->position(39), 39U);
+    EXPECT_EQ(recorded->position(40), 100U); // the 60 scans between were left behind
+    EXPECT_EQ(recorded->position(59), 119U);
+    for (size_t i = 0; i < 60; ++i)
+        EXPECT_NEAR(recorded->series.time[i],
+                    std::chrono::duration<double>(session.history().stamp(recorded->position(i))->time).count(), 1e-9);
 }
 
 TEST_F(Loops, InternalSignalsOfACascadeCanBeRead) {

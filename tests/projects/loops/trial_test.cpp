@@ -110,7 +110,7 @@ TEST(Trial, OtherSettingsDoWhatTheControllerThenDoes) {
     ASSERT_TRUE(really);
     ASSERT_EQ(run->series.size(), end - change);
     for (size_t i = 0; i < run->series.size(); ++i)
-        EXPECT_NEAR(run->series.output[i], really->output[change + i], 0.02) << "scan " << change + i;
+        EXPECT_NEAR(run->series.output[i], really->series.output[change + i], 0.02) << "scan " << change + i;
 }
 
 TEST(Trial, RefusesWhatItCannotTry) {
@@ -122,4 +122,33 @@ TEST(Trial, RefusesWhatItCannotTry) {
     wrong.writes = {};
     wrong.from = 5000;
     EXPECT_FALSE(tryOut(example.history(), wrong, std::nullopt));
+}
+
+TEST(Trial, OfAStretchThatIsForgottenMeanwhileSaysSo) {
+    const auto project = projects::openProject({sourceDir() + "/projects/examples/cascade"});
+    ASSERT_TRUE(project);
+    const driver::Built built = driver::build(project->buildInput());
+    ASSERT_TRUE(built.program);
+    session::Settings settings;
+    settings.historyBudget = size_t(1) << 20;
+    session::Session session(built, settings);
+    session.startThread({session::Pace::Fastest, 1.0});
+    const history::History& history = session.history();
+    while (history.statistics().first == 0) std::this_thread::yield();
+    const auto loop = findLoop(*built.program, "Main.controller.PID");
+    ASSERT_TRUE(loop);
+    int refused = 0;
+    for (int i = 0; i < 2000 && refused < 20; ++i) {
+        const history::Statistics there = history.statistics();
+        const history::Position from = there.first + static_cast<history::Position>(i) % 16 * 100;
+        const auto plan = planFor(*loop, history, from, from + 300);
+        const auto run = plan ? tryOut(history, *plan, std::nullopt) : Result<TrialRun>(plan.error());
+        if (!run) {
+            ++refused;
+            continue;
+        }
+        EXPECT_EQ(run->scans, 299U);
+        EXPECT_FALSE(run->firstDifference) << "scan " << run->firstDifference.value_or(0);
+    }
+    EXPECT_GT(refused, 0) << "nothing was forgotten: nothing is tested";
 }
