@@ -66,16 +66,17 @@ Result<Rerun> Rerunner::run(Position position, const How& how) {
     for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
         make(rerun, how, occurrence);
         if (isCancelled()) return Error{errors::Cancelled(), ""};
-        compare(rerun, position);
+        const std::vector<std::byte> recorded = m_history.seek(position);
+        if (recorded.empty()) return Error{errors::ScanNoLongerRecorded(), ""}; // forgotten meanwhile
+        compare(rerun, recorded);
         if (rerun.isExact()) return rerun;
     }
     if (stood) rerun.doubt = texts::StoodAtBreakpoint();
     return rerun;
 }
 
-void Rerunner::compare(Rerun& rerun, Position position) const {
+void Rerunner::compare(Rerun& rerun, std::span<const std::byte> recorded) {
     rerun.differences.clear();
-    const std::vector<std::byte> recorded = m_history.seek(position);
     const image::Layout& layout = rerun.input.program->layout;
     const auto end = static_cast<uint32_t>(std::min<size_t>({recorded.size(), rerun.image.size(), layout.dataEnd}));
     // What is in front of kClockEnd was handed to the scan; only what the program made of it can differ.

@@ -48,7 +48,8 @@ public:
     /// middle. Null: nobody will.
     void setCancel(std::function<bool()> isCancelled) { m_isCancelled = std::move(isCancelled); }
     [[nodiscard]] bool isCancelled() const { return m_isCancelled && m_isCancelled(); }
-    /// Scan `position` again. Fails with Cancelled when it was left.
+    /// Scan `position` again. Fails with Cancelled when it was left, with ScanNoLongerRecorded when there is nothing to
+    /// compare it with.
     [[nodiscard]] Result<Rerun> run(Position position, const How& how = {});
     /// From a changed beginning (what if, why not); nothing to compare with. Of no use when cancelled meanwhile.
     [[nodiscard]] Rerun runFrom(history::ScanInput input, const How& how = {});
@@ -68,7 +69,7 @@ private:
         std::vector<std::byte> image;
     };
     [[nodiscard]] Machine& machineOf(const std::shared_ptr<const image::CompiledProgram>& program);
-    void compare(Rerun& rerun, Position position) const;
+    static void compare(Rerun& rerun, std::span<const std::byte> recorded);
     void make(Rerun& rerun, const How& how, uint32_t occurrence);
 
     const history::History& m_history;

@@ -2,6 +2,7 @@
 
 #include "projects/session/session.h"
 #include "projects/session/versions.h"
+#include "runtime/base/messages.h"
 #include "tests/projects/random_program.h"
 #include "tests/runtime/inside/recorded.h"
 
@@ -187,4 +188,22 @@ TEST(RunAgain, AFaultedScanAndThePlantBehindIt) {
     for (int i = 0; i < 8; ++i) session.controller().scan();
     EXPECT_EQ(session.controller().state(), controller::State::Fault);
     expectEveryScanAgain(session.history(), "fault");
+}
+
+TEST(RunAgain, OfAScanThatIsForgottenMeanwhileSaysSo) {
+    session::Settings settings;
+    settings.historyBudget = size_t(1) << 18;
+    session::Session session(buildText("PROGRAM Main VAR count : UDINT; END_VAR count := count + 1; END_PROGRAM"),
+                             settings);
+    session.controller().start();
+    while (session.controller().nextScan() < 100) ASSERT_TRUE(session.controller().scan());
+    inside::Rerunner rerunner(session.history());
+    ASSERT_TRUE(rerunner.run(50));
+    inside::Rerunner::How how;
+    how.prepare = [&](image::RuntimeContext&) { // the controller goes on while the scan is run again
+        while (session.history().statistics().first <= 50) (void)session.controller().scan();
+    };
+    const auto forgotten = rerunner.run(50, how);
+    ASSERT_FALSE(forgotten) << "it was not compared with anything";
+    EXPECT_EQ(forgotten.error().message, errors::ScanNoLongerRecorded());
 }
