@@ -104,6 +104,11 @@ at_length() { # name of a long test
             STEPWISE_RANDOM_SEED=$seed STEPWISE_RANDOM_EVENTS=4000 \
                 build/dev/bin/test_app --gtest_brief=1 --gtest_filter='RandomEvents.*' || exit 1
         done
+        for seed in {1..10}; do
+            echo "seed $seed, at full speed"
+            STEPWISE_RANDOM_SEED=$seed STEPWISE_RANDOM_EVENTS=4000 \
+                build/dev/bin/test_app --gtest_brief=1 --gtest_filter='ShortRecording.*' || exit 1
+        done
         ;;
     damaged_files) exec build/dev/bin/test_loaders --gtest_brief=1 ;;
     esac

@@ -9,6 +9,7 @@
 #include "app/panels/live_views.h"
 #include "app/settings/settings_dialog.h"
 #include "editor/kit/theme.h"
+#include "editor/tuning/tuning_view.h"
 #include "hmi/designer/panel_designer.h"
 
 #include <QAction>
@@ -150,7 +151,7 @@ protected:
         for (const char* name : {"gravel", "pid_pt1"})
             copyFolder(QString::fromStdString(plc::sourceDir()) + "/projects/examples/" + name,
                        m_folder.path() + "/examples/" + name);
-        copyFolder(QString::fromStdString(plc::sourceDir()) + "/projects/examples/gravel", project());
+        copyFolder(QString::fromStdString(plc::sourceDir()) + "/projects/examples/" + example(), project());
         QSettings("Stepwise", "Stepwise").clear();
         Settings().setSawTour();
         m_window = std::make_unique<MainWindow>();
@@ -164,8 +165,9 @@ protected:
         kit::Theme::current().setChoice(kit::ThemeChoice::Light);
     }
     [[nodiscard]] QString project() const { return m_folder.path() + "/project"; }
+    [[nodiscard]] virtual QString example() const { return "gravel"; }
 
-    void openAgain() {
+    virtual void openAgain() {
         if (!m_window->isVisible()) m_window->show();
         if (m_window->workspace().isOpen()) return;
         m_window->openProject(project());
@@ -188,7 +190,7 @@ protected:
         return others[static_cast<int>(which / 4) % others.size()];
     }
 
-    void goSomewhere(uint32_t where) {
+    virtual void goSomewhere(uint32_t where) {
         MainWindow& w = *m_window;
         if (!w.workspace().isOpen()) return openAgain();
         switch (where % 9) {
@@ -332,6 +334,38 @@ protected:
         }
     }
 
+    void makeEvents(uint32_t seed, int count) {
+        const bool traced = qEnvironmentVariableIsSet("STEPWISE_RANDOM_TRACE");
+        std::printf("seed %u, %d events\n", seed, count);
+        std::mt19937 random(seed);
+        Answers answers(seed);
+        for (int i = 0; i < count; ++i) {
+            Event event{};
+            for (uint32_t* field :
+                 {&event.kind, &event.x, &event.y, &event.dx, &event.dy, &event.key, &event.modifiers, &event.which})
+                *field = random();
+            if (traced) {
+                const QWidget* shown = m_window->tabs().currentWidget();
+                std::fprintf(stderr, "%d: kind %u at %u,%u key %u modifiers %u which %u on %s\n", i, event.kind % 20,
+                             event.x % 1440, event.y % 900, event.key, event.modifiers % 6, event.which % 4,
+                             shown ? shown->metaObject()->className() : "-");
+            }
+            apply(event);
+            QApplication::processEvents();
+            if (i % 50 == 49) {
+                openAgain();
+                checkTexts();
+                if (HasFatalFailure()) FAIL() << "after event " << i << " of seed " << seed;
+            }
+            if (qobject_cast<QWidget*>(QApplication::activeModalWidget()) || QApplication::activePopupWidget())
+                QTest::qWait(15); // a duration: Answers looks for dialogs by a timer
+        }
+        (void)QTest::qWaitFor([] { return !QApplication::activeModalWidget() && !QApplication::activePopupWidget(); },
+                              20'000);
+        openAgain();
+        checkTexts();
+    }
+
     /// What an editor shows is what the project holds: nothing typed gets lost on the way.
     void checkTexts() {
         if (!m_window->workspace().isOpen()) return;
@@ -357,37 +391,63 @@ protected:
 };
 
 TEST_F(RandomEvents, NeitherCrashNorLoseAText) {
-    const auto seed = static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1));
-    const int count = numberOf("STEPWISE_RANDOM_EVENTS", 300);
-    const bool traced = qEnvironmentVariableIsSet("STEPWISE_RANDOM_TRACE");
-    std::printf("seed %u, %d events\n", seed, count);
-    std::mt19937 random(seed);
-    Answers answers(seed);
-    for (int i = 0; i < count; ++i) {
-        Event event{};
-        for (uint32_t* field :
-             {&event.kind, &event.x, &event.y, &event.dx, &event.dy, &event.key, &event.modifiers, &event.which})
-            *field = random();
-        if (traced) {
-            const QWidget* shown = m_window->tabs().currentWidget();
-            std::fprintf(stderr, "%d: kind %u at %u,%u key %u modifiers %u which %u on %s\n", i, event.kind % 20,
-                         event.x % 1440, event.y % 900, event.key, event.modifiers % 6, event.which % 4,
-                         shown ? shown->metaObject()->className() : "-");
-        }
-        apply(event);
-        QApplication::processEvents();
-        if (i % 50 == 49) {
-            openAgain();
-            checkTexts();
-            if (HasFatalFailure()) FAIL() << "after event " << i << " of seed " << seed;
-        }
-        if (qobject_cast<QWidget*>(QApplication::activeModalWidget()) || QApplication::activePopupWidget())
-            QTest::qWait(15); // a duration: Answers looks for dialogs by a timer
+    makeEvents(static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1)), numberOf("STEPWISE_RANDOM_EVENTS", 300));
+}
+
+/// The controller runs as fast as it can and soon forgets what is looked at: the oldest scans go while a view, a search
+/// or a second run of a scan reads them.
+class ShortRecording : public RandomEvents {
+protected:
+    [[nodiscard]] QString example() const override { return "cascade"; }
+    void openAgain() override {
+        RandomEvents::openAgain();
+        editor::RunControl& control = m_window->control();
+        control.setHistoryBudget(size_t(2) << 20);
+        control.setMode({session::Pace::Fastest, 1.0});
+        if (control.isBuilding() || control.isEnding()) return;
+        if (!control.isOnline()) repair();
+        control.setBreakpoints({});
+        control.start();
     }
-    (void)QTest::qWaitFor([] { return !QApplication::activeModalWidget() && !QApplication::activePopupWidget(); },
-                          20'000);
-    openAgain();
-    checkTexts();
+    /// Takes the program as it was: what was typed into it has errors.
+    void repair() {
+        const QString folder = QString::fromStdString(plc::sourceDir()) + "/projects/examples/" + example() + "/src";
+        QDir(project() + "/src").removeRecursively();
+        copyFolder(folder, project() + "/src");
+        for (const QString& file : m_window->workspace().files()) m_window->workspace().revert(file);
+    }
+    void goSomewhere(uint32_t where) override {
+        const history::History* recorded = m_window->control().shownHistory();
+        if (where % 2 || !recorded) return RandomEvents::goSomewhere(where / 2);
+        lookBack(where / 2, *recorded);
+    }
+    void lookBack(uint32_t where, const history::History& recorded) {
+        editor::RunControl& control = m_window->control();
+        const history::Statistics there = recorded.statistics();
+        if (there.first == there.end) return;
+        static constexpr std::array kActions{"time.back",   "time.walk",  "time.backIn", "time.passBack",
+                                             "time.why",    "time.who",   "time.whyNot", "time.coverage",
+                                             "time.whatIf", "time.resume"};
+        switch (where % 6) {
+        case 0:
+            return control.view(there.first);
+        case 1:
+            return control.view(there.first + (where / 6) % (there.end - there.first));
+        case 2:
+            return control.view(std::nullopt);
+        case 3:
+            m_window->showDock("tuning");
+            if (auto* tuning = m_window->findChild<editor::TuningView*>()) tuning->findSteps();
+            return;
+        default:
+            for (QAction* action : m_window->allActions())
+                if (action->objectName() == kActions[(where / 6) % kActions.size()]) return action->trigger();
+        }
+    }
+};
+
+TEST_F(ShortRecording, IsLookedBackOnWhileItForgets) {
+    makeEvents(static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1)), numberOf("STEPWISE_RANDOM_EVENTS", 300));
 }
 
 } // namespace
