@@ -107,7 +107,7 @@ void InsideViews::coverRecording() {
         inside::Coverage coverage(program);
         history::Position at = statistics.end;
         for (; at > statistics.first && spent.elapsed() < kLongestMs && !bench.insight.isCancelled(); --at)
-            if (const auto look = bench.insight.look(at - 1)) coverage.add(**look);
+            (void)coverage.add(bench.insight, at - 1); // what can be run again
         return [this, program, all = coverage.functions(), scans = statistics.end - at, of = statistics.scans] {
             showCoverage(program, all);
             emit message(tr("Coverage of the latest %1 of %2 recorded scans").arg(scans).arg(of), false);

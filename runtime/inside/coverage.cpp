@@ -139,33 +139,38 @@ void Coverage::finishDecision(Decision& decision, const std::map<const Expr*, ui
     decision.seen.insert(std::move(vector));
 }
 
-void Coverage::add(const Look& look) {
+Result<void> Coverage::add(Insight& insight, Position at) {
+    LookOptions options;
+    options.each = [this](const Look& look, const Event& event, uint32_t function) { count(look, event, function); };
+    const auto look = insight.look(at, options);
+    if (!look) return look.error();
+    return {};
+}
+
+void Coverage::count(const Look& look, const Event& event, uint32_t function) {
     if (&look.tree() != m_tree) return;
-    std::vector<std::map<const Expr*, uint8_t>> values(look.activations().size());
-    for (const Event& event : look.events()) {
-        const uint32_t function = look.activations()[event.activation].function;
-        const auto unit = m_units.find(function);
-        if (unit == m_units.end()) continue;
-        if (event.kind == WatchKind::Statement) {
-            const auto found = unit->second.statements.find(event.stmt()->range.begin);
-            if (found != unit->second.statements.end() && found->second.range == event.stmt()->range)
-                ++found->second.count;
-        } else if (event.kind == WatchKind::Arm) {
-            const auto found =
-                unit->second.branches.find({event.stmt()->range.begin, static_cast<int64_t>(event.bits)});
-            if (found != unit->second.branches.end()) ++found->second.count;
-            // An IF without ELSE has no report for it: what was not taken is the rest.
-        } else if (event.kind == WatchKind::Value) {
-            if (m_conditionOf.count(event.expr()) != 0)
-                values[event.activation][event.expr()] = event.bits != 0 ? 1 : 0;
-            const auto root = m_decisionOf.find(event.expr());
-            if (root == m_decisionOf.end()) continue;
-            Decision& decision = m_decisions[root->second];
-            finishDecision(decision, values[event.activation], event.bits != 0);
-            // The same decision runs again in the next pass of a loop; what it did not evaluate then must not be what
-            // it was now.
-            for (const Expr* condition : decision.conditions) values[event.activation].erase(condition);
-        }
+    const uint32_t depth = event.activation;
+    if (m_values.size() <= depth) m_values.resize(depth + 1);
+    std::map<const Expr*, uint8_t>& values = m_values[depth];
+    if (event.kind == WatchKind::Begin) values.clear();
+    const auto unit = m_units.find(function);
+    if (unit == m_units.end()) return;
+    if (event.kind == WatchKind::Statement) {
+        const auto found = unit->second.statements.find(event.stmt()->range.begin);
+        if (found != unit->second.statements.end() && found->second.range == event.stmt()->range) ++found->second.count;
+    } else if (event.kind == WatchKind::Arm) {
+        const auto found = unit->second.branches.find({event.stmt()->range.begin, static_cast<int64_t>(event.bits)});
+        if (found != unit->second.branches.end()) ++found->second.count;
+        // An IF without ELSE has no report for it: what was not taken is the rest.
+    } else if (event.kind == WatchKind::Value) {
+        if (m_conditionOf.count(event.expr()) != 0) values[event.expr()] = event.bits != 0 ? 1 : 0;
+        const auto root = m_decisionOf.find(event.expr());
+        if (root == m_decisionOf.end()) return;
+        Decision& decision = m_decisions[root->second];
+        finishDecision(decision, values, event.bits != 0);
+        // The same decision runs again in the next pass of a loop; what it did not evaluate then must not be what
+        // it was now.
+        for (const Expr* condition : decision.conditions) values.erase(condition);
     }
 }
 
@@ -176,11 +181,7 @@ size_t Coverage::addAll(const history::History& history, Progress* progress) {
     size_t failed = 0;
     for (Position at = all.first; at < all.end; ++at) {
         if (!goesOn(progress, static_cast<double>(at - all.first) / static_cast<double>(all.scans))) break;
-        const auto look = insight.look(at);
-        if (look)
-            add(**look);
-        else
-            ++failed;
+        if (!add(insight, at)) ++failed;
     }
     return failed;
 }

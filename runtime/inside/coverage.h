@@ -58,8 +58,8 @@ struct LineCoverage {
 class Coverage {
 public:
     explicit Coverage(std::shared_ptr<const image::CompiledProgram> program);
-    /// Of the same sources; other programs are left out.
-    void add(const Look& look);
+    /// A scan of the same sources, to its end; other programs are left out.
+    Result<void> add(Insight& insight, Position at);
     /// Every scan of a recording that can be run again; how many could not.
     size_t addAll(const history::History& history, Progress* progress = nullptr);
     /// The project's own functions, by name; without those of tests.
@@ -74,6 +74,7 @@ private:
     };
     void gather(const std::vector<tree::Stmt*>& body, uint32_t function);
     void gatherDecision(const tree::Stmt& stmt, const tree::Expr* expr, uint32_t function);
+    void count(const Look& look, const Event& event, uint32_t function);
     void finishDecision(Decision& decision, const std::map<const tree::Expr*, uint8_t>& values, bool result);
     [[nodiscard]] DecisionCoverage coverageOf(const Decision& decision) const;
     [[nodiscard]] bool isCounted(uint32_t function) const;
@@ -87,6 +88,7 @@ private:
     };
     std::map<uint32_t, Unit> m_units; // by function
     std::vector<Decision> m_decisions;
+    std::vector<std::map<const tree::Expr*, uint8_t>> m_values;    // of conditions, by depth of the bodies that run
     std::unordered_map<const tree::Expr*, uint32_t> m_decisionOf;  // root → decision
     std::unordered_map<const tree::Expr*, uint32_t> m_conditionOf; // condition → decision
 };

@@ -216,13 +216,41 @@ Insight::codeFor(const std::shared_ptr<const image::CompiledProgram>& program, c
     return *code;
 }
 
+namespace {
+
+/// The events that a look has kept.
+void tell(const Look& look, const LookOptions& options) {
+    std::vector<uint32_t> depths;
+    for (const Activation& activation : look.activations())
+        depths.push_back(activation.parent == kNone ? 0 : depths[activation.parent] + 1);
+    for (Event event : look.events()) {
+        const uint32_t function = look.activations()[event.activation].function;
+        event.activation = depths[event.activation];
+        options.each(look, event, function);
+    }
+}
+
+bool stoodAtBreakpoint(const history::ScanInput& input) {
+    return std::any_of(input.notes.begin(), input.notes.end(),
+                       [](const image::OutsideNote& note) { return note.site != 0; });
+}
+
+} // namespace
+
 Result<std::shared_ptr<const Look>> Insight::look(Position position, const LookOptions& options) {
-    const bool isPlain = options.windows.empty() && options.functions.empty();
+    const bool isPlain = options.windows.empty() && options.functions.empty() && !options.each;
     if (isPlain)
         for (const auto& known : m_looks)
             if (known->position() == position) return known;
     Result<history::ScanInput> input = m_history.inputOf(position);
     if (!input) return input.error();
+    if (options.each && stoodAtBreakpoint(*input)) { // it is made more than once
+        LookOptions kept = options;
+        kept.each = nullptr;
+        auto look = this->look(position, kept);
+        if (look) tell(**look, options);
+        return look;
+    }
     auto code = codeFor(input->program, options.functions);
     if (!code) return code.error();
     auto look = std::make_shared<Look>();

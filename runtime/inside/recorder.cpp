@@ -43,7 +43,7 @@ void Recorder::report(image::RuntimeContext& context, const void* node, WatchKin
     if (kind == WatchKind::Begin) begin(where, static_cast<uint32_t>(a), context.depth);
     while (!m_running.empty() && m_running.back().depth > context.depth) m_running.pop_back(); // left by a caught fault
     if (m_running.empty()) return;
-    if (kind == WatchKind::Pass) pass(*static_cast<const tree::Stmt*>(node));
+    if (kind == WatchKind::Pass && !m_options.each) pass(*static_cast<const tree::Stmt*>(node));
     if (kind == WatchKind::Load) return load(context, *static_cast<const tree::Expr*>(node), where, a, b);
     Event event;
     event.kind = kind;
@@ -68,6 +68,11 @@ void Recorder::report(image::RuntimeContext& context, const void* node, WatchKin
         event.bits = copyOf(a, size);
         event.size = static_cast<uint32_t>(size);
         event.bit = width == 2 ? 1 : -1;
+    }
+    if (m_options.each) {
+        m_options.each(m_look, event, m_running.back().function);
+        if (kind == WatchKind::End) m_running.pop_back();
+        return;
     }
     if (isLeftOut(node, kind)) {
         ++m_look.m_leftOut;
@@ -100,7 +105,7 @@ bool Recorder::isLeftOut(const void*, WatchKind kind) {
 }
 
 uint64_t Recorder::copyOf(uint64_t address, uint64_t size) {
-    if (m_look.m_events.size() >= m_options.eventLimit) return kNone;
+    if (m_options.each || m_look.m_events.size() >= m_options.eventLimit) return kNone;
     const auto* first = reinterpret_cast<const std::byte*>(address);
     m_look.m_copies.emplace_back(first, first + std::min(size, kLargestCopy));
     return m_look.m_copies.size() - 1;
@@ -118,6 +123,7 @@ static uint32_t taskOf(const image::CompiledProgram& program, uint32_t function,
 
 void Recorder::begin(uint64_t where, uint32_t function, uint32_t depth) {
     while (!m_running.empty() && m_running.back().depth >= depth) m_running.pop_back(); // left by a fault
+    if (m_options.each) return m_running.push_back({static_cast<uint32_t>(m_running.size()), depth, function});
     if (m_look.m_activations.size() >= m_options.eventLimit / 2 && !m_running.empty()) {
         Running caller = m_running.back();
         caller.depth = depth;
@@ -139,7 +145,7 @@ void Recorder::begin(uint64_t where, uint32_t function, uint32_t depth) {
         if (m_lastCall != kNone && m_look.m_events[m_lastCall].activation == activation.parent)
             activation.call = m_lastCall;
     }
-    m_running.push_back({static_cast<uint32_t>(m_look.m_activations.size()), depth});
+    m_running.push_back({static_cast<uint32_t>(m_look.m_activations.size()), depth, function});
     m_look.m_activations.push_back(activation);
 }
 

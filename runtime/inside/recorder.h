@@ -28,7 +28,8 @@ private:
     const LookOptions& m_options;
     struct Running {
         uint32_t activation;
-        uint32_t depth;                      // of the call records
+        uint32_t depth; // of the call records
+        uint32_t function = 0;
         uint32_t passes = kNone;             // of its loops
         const tree::Stmt* outside = nullptr; // a loop that is in a pass outside its window
         bool isLeftOut = false;              // beyond the limit: `activation` is its caller's
