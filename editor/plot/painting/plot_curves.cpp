@@ -264,7 +264,13 @@ CurveShape shapeOf(const SampleSource& source, int64_t from, int64_t to, int col
     // `shift` moves another recording under this one; it is asked in its own time.
     const int64_t a = shape.from - shift, b = shape.to - shift;
     shape.gaps = source.gaps(a, b);
-    for (SignalGap& gap : shape.gaps) gap.from += shift, gap.to += shift;
+    const auto known = source.timeRange();
+    for (SignalGap& gap : shape.gaps) {
+        // nothing older is left either: it is shaded from the edge on
+        if (gap.reason == SignalGap::Reason::Evicted && (!known || known->first >= gap.to)) gap.from = a;
+        gap.from += shift;
+        gap.to += shift;
+    }
     shape.before = source.inForceAt(a - 1);
     shape.after = source.after(b - 1);
     if (shape.before) shape.before->time += shift;
@@ -485,7 +491,6 @@ void drawGaps(QPainter& painter, const std::vector<SignalGap>& gaps, const PlotM
     painter.setFont(font);
     for (const SignalGap& gap : gaps) {
         double from = mapping.xOf(std::max(gap.from, mapping.from)), to = mapping.xOf(std::min(gap.to, mapping.to));
-        if (gap.reason == SignalGap::Reason::Evicted) from = mapping.area.left(); // nothing older is left either
         if (to - from < 1) to = from + 1;
         const QRectF rect(QPointF(from, mapping.area.top()), QPointF(to, mapping.area.bottom()));
         painter.fillRect(rect, kit::colors().plotGap);

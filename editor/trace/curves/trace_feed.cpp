@@ -85,6 +85,7 @@ struct TraceFeed::Channel {
     bool hasStarted = false;
     Position last = 0;                     // newest position read
     int64_t lastTime = 0;                  // and its time
+    bool hasLost = false;                  // scans behind it left the recording before they were read
     std::optional<SignalGap::Reason> open; // since openFrom there has been no value, for this reason
     int64_t openFrom = 0;
 };
@@ -109,7 +110,8 @@ TraceFeed::~TraceFeed() {
 }
 
 void TraceFeed::restart(Channel& channel) {
-    channel.hasStarted = false;
+    channel.hasStarted = channel.hasLost = false;
+    channel.lastTime = 0;
     channel.open.reset();
     if (channel.deriver) channel.deriver->restart();
     if (!channel.source) return;
@@ -222,12 +224,17 @@ void TraceFeed::refreshChain() {
     }
 }
 
-void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& samples,
+/// `asked`: which scans; those that are not among the samples left the recording meanwhile.
+void TraceFeed::append(Channel& channel, PositionRange asked, const std::vector<history::Sample>& samples,
                        const std::vector<history::Sample>& condition) {
     Column& column = channel.source->column();
     size_t c = 0;
+    Position expected = asked.begin;
     for (const history::Sample& sample : samples) {
         const int64_t time = sample.at.time.count();
+        channel.hasLost = channel.hasLost || sample.at.position != expected;
+        expected = sample.at.position + 1;
+        if (std::exchange(channel.hasLost, false)) column.appendGap(channel.lastTime, time, SignalGap::Reason::Evicted);
         std::optional<SignalGap::Reason> missing;
         if (!sample.hasValue) missing = SignalGap::Reason::NoPath;
         if (!channel.isTrigger && (!condition.empty() || !m_settings.condition.empty())) {
@@ -261,6 +268,7 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
         channel.last = sample.at.position;
         channel.lastTime = time;
     }
+    channel.hasLost = channel.hasLost || expected != asked.end;
     channel.source->changed();
 }
 
@@ -273,20 +281,18 @@ bool TraceFeed::readSlice(Channel& channel) {
                 from = std::max(oldest, range.begin);
                 break;
             }
+        channel.hasLost = from && *from > 0;
     } else {
         from = nextOnChain(m_chain, channel.last);
     }
     if (!from) return true;
-    bool evicted = false;
     if (*from < oldest) { // left the history before we came to read it
         for (const PositionRange& range : m_chain)
             if (oldest < range.end) {
                 from = std::max(oldest, range.begin);
                 break;
             }
-        evicted = channel.hasStarted;
-    } else if (!channel.hasStarted && *from > 0) {
-        evicted = true;
+        channel.hasLost = true;
     }
     const auto range = std::find_if(m_chain.begin(), m_chain.end(),
                                     [&](const PositionRange& r) { return *from >= r.begin && *from < r.end; });
@@ -295,14 +301,9 @@ bool TraceFeed::readSlice(Channel& channel) {
     const auto samples = m_recording.samples(channel.derivation.expression, *from, to);
     const auto condition = m_settings.condition.empty() ? std::vector<history::Sample>()
                                                         : m_recording.samples(m_settings.condition, *from, to);
-    if (evicted && !samples.empty()) {
-        const int64_t since = channel.hasStarted ? channel.lastTime : 0;
-        channel.source->column().appendGap(since, samples.front().at.time.count(), SignalGap::Reason::Evicted);
-    }
     channel.hasStarted = true;
+    append(channel, {*from, to}, samples, condition);
     channel.last = to - 1; // also when the slice was evicted meanwhile
-    append(channel, samples, condition);
-    channel.last = to - 1;
     return !nextOnChain(m_chain, channel.last);
 }
 

@@ -80,7 +80,7 @@ private:
     struct Channel;
     void refreshChain();
     bool readSlice(Channel& channel);
-    void append(Channel& channel, const std::vector<history::Sample>& samples,
+    void append(Channel& channel, PositionRange asked, const std::vector<history::Sample>& samples,
                 const std::vector<history::Sample>& condition);
     void restart(Channel& channel);
 

@@ -132,6 +132,20 @@ std::vector<int> inkedRows(const QImage& image, const QRectF& area, int x, const
 
 } // namespace
 
+TEST(PlotGaps, WhatIsNoLongerKeptIsShadedToTheEdgeOnlyWhereNothingOlderIsLeft) {
+    auto list = std::make_shared<SampleList>(PlotValueKind::Double);
+    for (int i = 20; i < 100; ++i)
+        if (i < 40 || i >= 60) list->append(i * Ms, i);
+    list->addGap({0, 20 * Ms, plc::SignalGap::Reason::Evicted});
+    list->addGap({39 * Ms, 60 * Ms, plc::SignalGap::Reason::Evicted});
+    const CurveShape shape = shapeOf(*list, -50 * Ms, 100 * Ms, 500);
+    ASSERT_EQ(shape.gaps.size(), 2U);
+    EXPECT_EQ(shape.gaps[0].from, -50 * Ms);
+    EXPECT_EQ(shape.gaps[0].to, 20 * Ms);
+    EXPECT_EQ(shape.gaps[1].from, 39 * Ms) << "shaded over values that are there";
+    EXPECT_EQ(shape.gaps[1].to, 60 * Ms);
+}
+
 TEST(PlotPictures, BothThemesNarrowAndWide) {
     for (ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
         Theme::current().setChoice(choice);

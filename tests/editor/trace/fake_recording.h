@@ -22,6 +22,7 @@ public:
     std::vector<history::Mark> markList;
     Position oldest = 0;
     int64_t period = 1'000'000;
+    std::function<void()> whileRead; // samples are asked for; what they are comes after
 
     /// Records scans on from the newest one.
     void run(int count) {
@@ -68,6 +69,7 @@ public:
     }
     std::vector<history::Sample> samples(const std::string& text, Position from, Position to) const override {
         std::vector<history::Sample> out;
+        if (whileRead) whileRead();
         for (Position p = std::max(from, oldest); p < std::min<Position>(to, scans.size()); ++p) {
             const auto value = channels.at(text).value(scans[p]);
             out.push_back({scans[p], value.value_or(0), value.has_value()});

@@ -131,6 +131,27 @@ TEST_F(FeedTest, WhatLeftTheHistoryBeforeItWasReadIsAGap) {
     EXPECT_EQ(all("sine").size(), 70u + 50u) << "what the columns have outlives the images";
 }
 
+TEST_F(FeedTest, WhatLeavesTheHistoryWhileItIsReadIsAGap) {
+    recording.run(100);
+    feed.setExpressions({"sine"});
+    feed.pumpAll();
+    recording.run(100);
+    recording.whileRead = [&] { recording.oldest = 150; }; // after the feed has asked what is there
+    feed.pumpAll();
+    auto gaps = feed.source("sine")->gaps(90 * Ms, 200 * Ms);
+    ASSERT_EQ(gaps.size(), 1u) << "the line went on over scans that nobody has";
+    EXPECT_EQ(gaps[0], (plc::SignalGap{99 * Ms, 150 * Ms, plc::SignalGap::Reason::Evicted}));
+    recording.run(100);
+    recording.whileRead = [&] { recording.oldest = 300; }; // all of it
+    feed.pumpAll();
+    recording.whileRead = nullptr;
+    recording.run(50);
+    feed.pumpAll();
+    gaps = feed.source("sine")->gaps(190 * Ms, 400 * Ms);
+    ASSERT_EQ(gaps.size(), 1u);
+    EXPECT_EQ(gaps[0], (plc::SignalGap{199 * Ms, 300 * Ms, plc::SignalGap::Reason::Evicted}));
+}
+
 TEST_F(FeedTest, GoingBackReplacesTheFuture) {
     recording.channels["branch"] = {ChannelType{},
                                     [](const history::ScanStamp& s) { return s.position >= 100 ? 2.0 : 1.0; }};
