@@ -100,17 +100,15 @@ void AlarmEvaluator::processRange(history::Position from, history::Position to, 
     const size_t count = m_definitions.size(), scans = static_cast<size_t>(to - from);
     if (count == 0 || scans == 0) return;
     std::vector<std::vector<Condition>> conditions(count, std::vector<Condition>(scans, Condition::Unknown));
-    std::vector<AlarmInstant> instants(scans);
-    bool hasStamps = false;
+    std::vector<std::optional<AlarmInstant>> instants(scans); // none: forgotten before it was read
     const auto read = [&](const expression::Expression& expression, const QString& text, std::vector<Condition>& into) {
         if (!expression.isValid()) return;
         for (const history::Sample& sample :
              history.samples(expression, m_run.recompile(text.toStdString()), from, to)) {
             if (sample.at.position < from || sample.at.position >= to) continue;
             const size_t i = static_cast<size_t>(sample.at.position - from);
-            instants[i] = {sample.at.position, sample.at.scan, sample.at.time};
+            instants[i] = AlarmInstant{sample.at.position, sample.at.scan, sample.at.time};
             if (sample.hasValue) into[i] = sample.value != 0 ? Condition::True : Condition::False;
-            hasStamps = true;
         }
     };
     for (size_t alarm = 0; alarm < count; ++alarm) {
@@ -121,19 +119,20 @@ void AlarmEvaluator::processRange(history::Position from, history::Position to, 
         for (size_t i = 0; i < scans; ++i)
             if (inhibited[i] == Condition::True) conditions[alarm][i] = Condition::False;
     }
-    if (!hasStamps) return;
     std::vector<Condition> present(count);
     std::vector<AlarmEvent> events;
+    bool isFirst = true;
     for (size_t i = 0; i < scans; ++i) {
-        bool any = i == 0 || m_lifeCycle.hasPendingDelay();
+        if (!instants[i]) continue;
+        bool any = std::exchange(isFirst, false) || m_lifeCycle.hasPendingDelay();
         for (size_t alarm = 0; alarm < count; ++alarm) {
             present[alarm] = conditions[alarm][i];
             any |= i > 0 && conditions[alarm][i] != conditions[alarm][i - 1];
         }
-        if (any) m_lifeCycle.step(instants[i], present, events);
-        if (m_acknowledged.contains(instants[i].position)) {
+        if (any) m_lifeCycle.step(*instants[i], present, events);
+        if (m_acknowledged.contains(instants[i]->position)) {
             append(std::exchange(events, {}), {}, out);
-            acknowledgeAgain(instants[i], out);
+            acknowledgeAgain(*instants[i], out);
         }
     }
     append(events, {}, out);

@@ -209,7 +209,8 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     }
     for (const history::Bucket& bucket : series) {
         const auto stamp = history.stamp(bucket.begin);
-        const int64_t from = stamp ? (stamp->time - now->time).count() : 0;
+        if (!stamp) continue; // forgotten since it was read
+        const int64_t from = (stamp->time - now->time).count();
         if (!out.empty()) out.back().to = from;
         out.push_back({bucket, from, from});
     }
