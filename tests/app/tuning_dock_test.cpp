@@ -85,6 +85,7 @@ TEST_F(TuningDock, TheBodePlotHasTheMarginsOfTheTable) {
 }
 
 TEST_F(TuningDock, AStepFoundWhileTheControllerRunsIsTriedOnItsOwnScans) {
+    control().setMode({session::Pace::Factor, 300}); // a search makes many scans old, and none is forgotten meanwhile
     control().start();
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
     findSteps();
