@@ -361,14 +361,13 @@ void Column::visit(uint64_t first, uint64_t end, const Visitor& visitor) const {
 
 void Column::evictOldest() {
     if (isEmpty()) return;
-    const int64_t from =
-        m_gaps.empty() || m_gaps.front().reason != SignalGap::Reason::Evicted ? firstTime() : m_gaps.front().from;
+    const bool hasEvicted = !m_gaps.empty() && m_gaps.front().reason == SignalGap::Reason::Evicted &&
+                            m_gaps.front().to <= firstTime(); // else it has values before it
+    const int64_t from = hasEvicted ? m_gaps.front().from : firstTime();
     const uint64_t dropped = dropOldestChunk();
     if (dropped == 0) return;
     m_firstRow += dropped;
-    std::erase_if(m_gaps, [this](const SignalGap& gap) {
-        return gap.reason == SignalGap::Reason::Evicted || gap.to <= firstTime();
-    });
+    std::erase_if(m_gaps, [this](const SignalGap& gap) { return gap.to <= firstTime(); });
     m_gaps.insert(m_gaps.begin(), {from, firstTime(), SignalGap::Reason::Evicted});
 }
 

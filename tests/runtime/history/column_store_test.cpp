@@ -208,6 +208,26 @@ TEST(ColumnStore, EvictsTheOldestOfAllColumnsAndSaysSo) {
     EXPECT_LT(store.bytes(), before);
 }
 
+TEST(ColumnStore, EvictionKeepsTheGapsBehindIt) {
+    // scans that nobody read are a gap for as long as there are values on both sides
+    ColumnStore store;
+    Column& column = store.column(store.add(ColumnKind::Float));
+    for (int i = 0; i < 20'000; ++i)
+        if (i < 9'000 || i >= 9'500) column.append(i, i);
+    column.appendGap(8'999, 9'500, plc::SignalGap::Reason::Evicted);
+    const plc::SignalGap middle{8'999, 9'500, plc::SignalGap::Reason::Evicted};
+    store.setBudget(store.bytes() - 1000); // a chunk
+    ASSERT_GT(column.firstTime(), 0);
+    ASSERT_LT(column.firstTime(), 8'999);
+    ASSERT_EQ(column.gaps().size(), 2u);
+    EXPECT_EQ(column.gaps()[0], (plc::SignalGap{0, column.firstTime(), plc::SignalGap::Reason::Evicted}));
+    EXPECT_EQ(column.gaps()[1], middle);
+    store.setBudget(store.bytes() / 3); // the one in the middle, too: all of it is no longer kept
+    ASSERT_GT(column.firstTime(), 9'500);
+    ASSERT_EQ(column.gaps().size(), 1u);
+    EXPECT_EQ(column.gaps()[0], (plc::SignalGap{0, column.firstTime(), plc::SignalGap::Reason::Evicted}));
+}
+
 TEST(ColumnStore, UniformTimesCostNoMemory) {
     ColumnStore store;
     const ColumnId even = store.add(ColumnKind::Float), uneven = store.add(ColumnKind::Float);
