@@ -58,7 +58,7 @@ struct LineCoverage {
 class Coverage {
 public:
     explicit Coverage(std::shared_ptr<const image::CompiledProgram> program);
-    /// A scan of the same sources, to its end; other programs are left out.
+    /// A scan of the same sources, to its end; other programs are left out. Of one that fails, what had run counts.
     Result<void> add(Insight& insight, Position at);
     /// Every scan of a recording that can be run again; how many could not.
     size_t addAll(const history::History& history, Progress* progress = nullptr);

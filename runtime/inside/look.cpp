@@ -230,11 +230,6 @@ void tell(const Look& look, const LookOptions& options) {
     }
 }
 
-bool stoodAtBreakpoint(const history::ScanInput& input) {
-    return std::any_of(input.notes.begin(), input.notes.end(),
-                       [](const image::OutsideNote& note) { return note.site != 0; });
-}
-
 } // namespace
 
 Result<std::shared_ptr<const Look>> Insight::look(Position position, const LookOptions& options) {

@@ -70,8 +70,8 @@ struct LookOptions {
     size_t eventLimit = size_t(2) << 20; // 48 bytes each; what is more is left out and said
     std::vector<PassWindow> windows;
     std::vector<uint32_t> functions; // watched at least; none: all
-    /// Is told every event of a scan in turn, however many they are, and the look keeps none of them: their
-    /// `activation` says how deep the body is called (0: of a task), `passes` and copies of texts are left out.
+    /// Called with each event of the scan in turn, however many there are; the look keeps none of them. Their
+    /// `activation` is the depth of the call (0: of a task); `passes` and copies of texts are left out.
     std::function<void(const Look&, const Event&, uint32_t function)> each;
 };
 

@@ -53,29 +53,9 @@ Rerun Rerunner::runFrom(history::ScanInput input, const How& how) {
     return rerun;
 }
 
-Result<Rerun> Rerunner::run(Position position, const How& how) {
-    Result<history::ScanInput> input = m_history.inputOf(position);
-    if (!input) return input.error();
-    Rerun rerun;
-    rerun.input = std::move(*input);
-    if (!rerun.input.hasJournal) rerun.doubt = texts::NoJournal();
-    // A write at a breakpoint took effect in the middle of the scan, at a statement that may have run many times. Which
-    // time is found by trying: the one that gives the recorded image is the one.
-    const bool stood = std::any_of(rerun.input.notes.begin(), rerun.input.notes.end(),
-                                   [](const image::OutsideNote& note) { return note.site != 0; });
-    for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
-        make(rerun, how, occurrence);
-        if (isCancelled()) return Error{errors::Cancelled(), ""};
-        const std::vector<std::byte> recorded = m_history.seek(position);
-        if (recorded.empty()) return Error{errors::ScanNoLongerRecorded(), ""}; // forgotten meanwhile
-        compare(rerun, recorded);
-        if (rerun.isExact()) return rerun;
-    }
-    if (stood) rerun.doubt = texts::StoodAtBreakpoint();
-    return rerun;
-}
+namespace {
 
-void Rerunner::compare(Rerun& rerun, std::span<const std::byte> recorded) {
+void compare(Rerun& rerun, std::span<const std::byte> recorded) {
     rerun.differences.clear();
     const image::Layout& layout = rerun.input.program->layout;
     const auto end = static_cast<uint32_t>(std::min<size_t>({recorded.size(), rerun.image.size(), layout.dataEnd}));
@@ -91,6 +71,34 @@ void Rerunner::compare(Rerun& rerun, std::span<const std::byte> recorded) {
         }
         rerun.differences.push_back({at, 1, layout.pathAt(at)});
     }
+}
+
+} // namespace
+
+bool stoodAtBreakpoint(const history::ScanInput& input) {
+    return std::any_of(input.notes.begin(), input.notes.end(),
+                       [](const image::OutsideNote& note) { return note.site != 0; });
+}
+
+Result<Rerun> Rerunner::run(Position position, const How& how) {
+    Result<history::ScanInput> input = m_history.inputOf(position);
+    if (!input) return input.error();
+    Rerun rerun;
+    rerun.input = std::move(*input);
+    if (!rerun.input.hasJournal) rerun.doubt = texts::NoJournal();
+    // A write at a breakpoint took effect in the middle of the scan, at a statement that may have run many times. Which
+    // time is found by trying: the one that gives the recorded image is the one.
+    const bool stood = stoodAtBreakpoint(rerun.input);
+    for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
+        make(rerun, how, occurrence);
+        if (isCancelled()) return Error{errors::Cancelled(), ""};
+        const std::vector<std::byte> recorded = m_history.seek(position);
+        if (recorded.empty()) return Error{errors::ScanNoLongerRecorded(), ""}; // forgotten meanwhile
+        compare(rerun, recorded);
+        if (rerun.isExact()) return rerun;
+    }
+    if (stood) rerun.doubt = texts::StoodAtBreakpoint();
+    return rerun;
 }
 
 } // namespace plc::inside

@@ -37,6 +37,10 @@ struct RerunHow {
     controller::Nanoseconds clockBack{}; // the program sees its clock that much earlier
 };
 
+/// Something was written at a breakpoint, in the middle of the scan: it is made again until the result is the recorded
+/// one.
+[[nodiscard]] bool stoodAtBreakpoint(const history::ScanInput& input);
+
 class Rerunner {
 public:
     using How = RerunHow;
@@ -69,7 +73,6 @@ private:
         std::vector<std::byte> image;
     };
     [[nodiscard]] Machine& machineOf(const std::shared_ptr<const image::CompiledProgram>& program);
-    static void compare(Rerun& rerun, std::span<const std::byte> recorded);
     void make(Rerun& rerun, const How& how, uint32_t occurrence);
 
     const history::History& m_history;

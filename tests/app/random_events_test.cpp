@@ -334,7 +334,9 @@ protected:
         }
     }
 
-    void makeEvents(uint32_t seed, int count) {
+    void makeEvents() {
+        const auto seed = static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1));
+        const int count = numberOf("STEPWISE_RANDOM_EVENTS", 300);
         const bool traced = qEnvironmentVariableIsSet("STEPWISE_RANDOM_TRACE");
         std::printf("seed %u, %d events\n", seed, count);
         std::mt19937 random(seed);
@@ -390,9 +392,7 @@ protected:
     std::unique_ptr<MainWindow> m_window;
 };
 
-TEST_F(RandomEvents, NeitherCrashNorLoseAText) {
-    makeEvents(static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1)), numberOf("STEPWISE_RANDOM_EVENTS", 300));
-}
+TEST_F(RandomEvents, NeitherCrashNorLoseAText) { makeEvents(); }
 
 /// The controller runs as fast as it can and soon forgets what is looked at: the oldest scans go while a view, a search
 /// or a second run of a scan reads them.
@@ -446,9 +446,7 @@ protected:
     }
 };
 
-TEST_F(ShortRecording, IsLookedBackOnWhileItForgets) {
-    makeEvents(static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1)), numberOf("STEPWISE_RANDOM_EVENTS", 300));
-}
+TEST_F(ShortRecording, IsLookedBackOnWhileItForgets) { makeEvents(); }
 
 } // namespace
 } // namespace plc::app

@@ -74,12 +74,12 @@ TEST_F(Loops, AreNamedInPart) {
 }
 
 TEST_F(Loops, SignalsComeFromTheRecording) {
-    const auto series = seriesOf(session->history(), signalsOf(*findLoop(*built.program, "Main.pid")));
-    ASSERT_TRUE(series) << series.error().english();
-    EXPECT_EQ(series->series.size(), 200U);
-    EXPECT_NEAR(series->series.time[10], 0.5, 1e-9);
-    EXPECT_EQ(series->series.setPoint[5], 10);
-    EXPECT_GT(series->series.output.back(), 5);
+    const auto recorded = seriesOf(session->history(), signalsOf(*findLoop(*built.program, "Main.pid")));
+    ASSERT_TRUE(recorded) << recorded.error().english();
+    EXPECT_EQ(recorded->series.size(), 200U);
+    EXPECT_NEAR(recorded->series.time[10], 0.5, 1e-9);
+    EXPECT_EQ(recorded->series.setPoint[5], 10);
+    EXPECT_GT(recorded->series.output.back(), 5);
     EXPECT_EQ(seriesOf(session->history(), {"Main.nothing", "Main.Gain", ""}).error().english().find("nothing") != 0,
               true);
     EXPECT_FALSE(seriesOf(session->history(), {"Main.nothing", "Main.Gain", ""}));

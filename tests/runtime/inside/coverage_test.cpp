@@ -6,6 +6,7 @@ using namespace plc;
 using namespace plc::inside;
 using plc::testing::buildText;
 using plc::testing::integerFor;
+using plc::testing::longScan;
 
 namespace {
 
@@ -106,25 +107,7 @@ TEST_F(CoverageOf, ReportsAreWellFormed) {
 }
 
 TEST_F(CoverageOf, AScanThatDoesMoreThanALookKeepsIsCountedToItsEnd) {
-    run(R"(
-VAR_GLOBAL q : INT; END_VAR
-FUNCTION Next : LINT
-VAR_INPUT n : LINT; END_VAR
-Next := n + 1;
-END_FUNCTION
-PROGRAM Main
-VAR a, i : LINT; END_VAR
-FOR i := 1 TO 600000 DO a := Next(a); END_FOR
-IF a = 600000 AND (q = 0 OR Next(a) = 0) THEN
-    q := 1;
-END_IF
-END_PROGRAM
-CONFIGURATION C
-RESOURCE R ON Soft
-TASK T (INTERVAL := T#10ms, PRIORITY := 1, WATCHDOG := T#1h);
-PROGRAM Main WITH T : Main;
-END_RESOURCE
-END_CONFIGURATION)");
+    run(longScan(600'000, "IF a = 600000 AND (i = 0 OR Next(a) > 0) THEN\n    i := 1;\nEND_IF"));
     scanWith({});
     Coverage coverage(session->program());
     EXPECT_EQ(coverage.addAll(session->history()), 0u);
@@ -132,7 +115,7 @@ END_CONFIGURATION)");
     ASSERT_EQ(all.size(), 2u); // Main and Next
     const FunctionCoverage& main = all[0].name == "Main" ? all[0] : all[1];
     const FunctionCoverage& next = all[0].name == "Main" ? all[1] : all[0];
-    EXPECT_EQ(main.statementsRun(), 4u) << "FOR, its body, IF and q := 1";
+    EXPECT_EQ(main.statementsRun(), 4u) << "FOR, its body, IF and i := 1";
     EXPECT_EQ(main.branchesTaken(), 1u);
     ASSERT_EQ(next.statements.size(), 1u);
     EXPECT_EQ(next.statements[0].count, 600001u) << "once more in the condition";

@@ -168,22 +168,7 @@ PROGRAM Main VAR o : Outer; p : Other; END_VAR o(); p(); END_PROGRAM)"));
 namespace {
 
 /// Its one scan does more than a look keeps.
-const char* const kLongScan = R"(
-FUNCTION Next : LINT
-VAR_INPUT q : LINT; END_VAR
-Next := q + 1;
-END_FUNCTION
-PROGRAM Main
-VAR a, i : LINT; END_VAR
-FOR i := 1 TO 2000000 DO a := Next(a); END_FOR
-END_PROGRAM
-CONFIGURATION C
-RESOURCE R ON Soft
-TASK T (INTERVAL := T#10ms, PRIORITY := 1, WATCHDOG := T#1h);
-PROGRAM Main WITH T : Main;
-END_RESOURCE
-END_CONFIGURATION
-)";
+const std::string kLongScan = plc::testing::longScan(2'000'000);
 
 } // namespace
 

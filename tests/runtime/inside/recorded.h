@@ -3,6 +3,7 @@
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/inside/look.h"
+#include "tests/support/long_scans.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,13 @@ inline driver::Built buildText(const std::string& text, std::vector<std::string>
         for (const auto& diagnostic : built.checked.analysis->diagnostics)
             ADD_FAILURE() << diagnostic.message.english();
     return built;
+}
+
+/// A scan of Main that calls a function so often, and then has the statements; it may take an hour.
+inline std::string longScan(int calls, const std::string& statements = {}) {
+    return "FUNCTION Next : LINT\nVAR_INPUT q : LINT; END_VAR\nNext := q + 1;\nEND_FUNCTION\n"
+           "PROGRAM Main\nVAR a, i : LINT; END_VAR\nFOR i := 1 TO " +
+           std::to_string(calls) + " DO a := Next(a); END_FOR\n" + statements + "\nEND_PROGRAM\n" + kAnHourForMain;
 }
 
 /// The text `part` behind `after` in the first file.
