@@ -18,8 +18,8 @@ constexpr double LaneHeight = 28, LeastPlot = 48;
 double laneHeightFor(const QFont& font) { return std::max(LaneHeight, QFontMetricsF(font).height() * 1.6); }
 
 /// Between the legend above a pane and its frame: half of the number at the uppermost tick stands there.
-double roomForTopTick(const PlotPane& pane, double legend, const QFont& font) {
-    return pane.isLanes || legend <= 0 ? 0 : std::ceil(QFontMetricsF(font).height() / 2);
+double roomForTopTick(const PlotPane& pane, double legend, const QFont& font, bool isTiny) {
+    return pane.isLanes || legend <= 0 || isTiny ? 0 : std::ceil(QFontMetricsF(font).height() / 2);
 }
 
 } // namespace
@@ -275,7 +275,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
             used += room[i].top() + room[i].bottom() + (i > 0 ? 4 : 0);
             const bool first = i == 0 || m_panes[i - 1].chart != m_panes[i].chart;
             const double legend = legends[static_cast<size_t>(m_panes[i].chart)];
-            if (first) used += legend + roomForTopTick(m_panes[i], legend, m_font);
+            if (first) used += legend + roomForTopTick(m_panes[i], legend, m_font, m_isTiny);
             if (m_panes[i].isLanes)
                 lanes += static_cast<int>(m_panes[i].curves.size());
             else
@@ -336,7 +336,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         const bool first = i == 0 || m_panes[i - 1].chart != m_panes[i].chart;
         if (first) {
             const double legend = legendHeight(model, m_panes[i].chart, inner.left() + left, width, y, true);
-            y += legend + roomForTopTick(m_panes[i], legend, m_font);
+            y += legend + roomForTopTick(m_panes[i], legend, m_font, m_isTiny);
         }
         y += room[i].top() + (i > 0 && !first ? 4 : 0);
         m_parts[i]->axes.place(QRectF(std::round(inner.left() + left), std::round(y), width, heights[i]));

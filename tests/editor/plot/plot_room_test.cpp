@@ -47,6 +47,24 @@ TEST(PlotRoom, OneLaneFillsIt) {
     EXPECT_GT(drawn.renderer.panes()[0].area.height(), 400);
 }
 
+TEST(PlotRoom, TheNumbersOfTheTimeAxisAreInsideALowPicture) {
+    // two charts in the trace of a window of 1024 by 700
+    PlotModel model = modelOf({curveOf("Main.temperature", 30, 40, Qt::red), curveOf("Main.valve", 0, 50, Qt::blue)});
+    model.charts.resize(2);
+    model.charts[0].title = "Temperature";
+    model.charts[1].title = "Valve";
+    model.charts[0].axes = {PlotAxis{.unit = "°C"}};
+    model.charts[1].axes = {PlotAxis{.unit = "%"}};
+    model.curves[1].chart = 1;
+    for (const int height : {166, 180, 200}) {
+        const Drawn drawn(model, {378, height});
+        ASSERT_EQ(drawn.renderer.panes().size(), 2u);
+        const QRectF last = drawn.renderer.panes()[1].area;
+        EXPECT_GT(last.height(), 15) << height;
+        EXPECT_LE(last.bottom() + 5 + QFontMetricsF(QApplication::font()).height(), height);
+    }
+}
+
 TEST(PlotRoom, CurvesEndAtTheirFrame) {
     PlotModel model = modelOf({curveOf("Main.level", -50, 150, QColor(255, 0, 255))});
     model.charts[0].axes[0].mode = AxisMode::Fixed;
