@@ -178,7 +178,7 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
     } else {
         if (!s.journalBytes.empty()) [[unlikely]]
             s.writer.addJournal(s.current->count.load(std::memory_order_relaxed), s.journalBytes);
-        (void)s.writer.append(image.data(), static_cast<uint32_t>(image.size()), scan, now, dirtyPages);
+        s.writer.append(image.data(), static_cast<uint32_t>(image.size()), scan, now, dirtyPages);
     }
     s.journalBytes.clear();
     s.lastTime = now;

@@ -83,9 +83,8 @@ bool SegmentWriter::isFull() const {
     return m_segment->count.load(std::memory_order_relaxed) >= kScansPerSegment || m_segment->pageCount >= m_pageLimit;
 }
 
-bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
+void SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
                            std::span<const uint8_t> dirtyPages) {
-    if (isFull()) return false;
     const uint32_t index = m_segment->count.load(std::memory_order_relaxed);
     const uint32_t blocks = m_segment->blocks;
     const uint32_t whole = std::min(blocks, imageSize / kBlock);
@@ -119,7 +118,6 @@ bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t 
     }
     stamp(index, scan, time);
     m_segment->count.store(index + 1, std::memory_order_release);
-    return true;
 }
 
 void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte* image, uint16_t index) {

@@ -82,9 +82,11 @@ public:
     explicit SegmentWriter(PagePool& pool) : m_pool(pool) {}
     /// Begins with a keyframe; `bytes` holds segment.blocks × 64 bytes.
     void begin(Segment& segment, const std::byte* bytes, uint64_t scan, int64_t time);
-    /// Records the next scan; false when the segment is full (nothing was written).
-    [[nodiscard]] bool append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
-                              std::span<const uint8_t> dirtyPages);
+    /// Records the next scan. The segment was not full before the journal of that scan was added; the journal itself
+    /// may have taken the last page of the limit, and the scan still belongs to this segment.
+    void append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
+                std::span<const uint8_t> dirtyPages);
+    /// The next scan begins a new segment.
     [[nodiscard]] bool isFull() const;
     /// A journal of so many pages could not be kept behind what a scan may change.
     [[nodiscard]] bool lacksRoom(uint32_t journalPages) const {

@@ -81,6 +81,16 @@ public:
         all.push_back({{begin, begin + m_program->layout.dataEnd}, m_scan, m_time, m_program});
         ++m_scan;
     }
+    /// Something is written before the next scan.
+    void actFromOutside(size_t bytes) {
+        image::OutsideNote note;
+        note.offset = 112;
+        note.size = static_cast<uint32_t>(bytes);
+        note.bytes.resize(bytes, std::byte(1));
+        note.origin = std::to_string(m_scan);
+        const image::ScanStart start;
+        m_history.outsideActed({m_image, {}, start, {&note, 1}});
+    }
     std::byte* data() { return m_image.data(); }
     std::mt19937 random;
     std::vector<Stored> all; // by position
@@ -428,6 +438,50 @@ TEST_F(RecordingFile, ADamagedFileIsRefusedWithoutHarm) {
     }
     EXPECT_FALSE(History::load("/nonexistent/file", [](const auto&) { return nullptr; }));
     EXPECT_FALSE(history.save("/nonexistent/file"));
+}
+
+// A note that takes the last page of a segment leaves room for its scan.
+TEST(History, EveryScanIsRecordedWithWhatActedFromOutside) {
+    const unsigned start = seed();
+    for (unsigned run = 0; run < 40; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(start) + " run " + std::to_string(run) + " (STEPWISE_SEED sets it)");
+        std::mt19937 dice(start + run);
+        History history(size_t(64) << 20);
+        Source source(history, start + run);
+        source.useProgram(makeProgram(1 + dice() % (run % 2 ? 40 : 400)));
+        const unsigned longest = run % 4 == 0 ? 9000 : 300;
+        std::vector<bool> isActedOn;
+        for (unsigned i = 0; i < 3000; ++i) {
+            isActedOn.push_back(i == 0 || dice() % 2 == 0); // what a scan began with is known from its first note on
+            if (isActedOn.back()) source.actFromOutside(1 + dice() % longest);
+            source.scan(static_cast<int>(dice() % 20), 1'000'000);
+        }
+        for (Position p = 0; p < 3000; ++p) {
+            ASSERT_NO_FATAL_FAILURE(expectSame(history, source.all, p));
+            const Result<ScanInput> input = history.inputOf(p);
+            ASSERT_TRUE(input) << "position " << p;
+            ASSERT_EQ(input->notes.size(), isActedOn[p] ? 1 : 0) << "position " << p;
+            if (isActedOn[p]) {
+                ASSERT_EQ(input->notes.front().origin, std::to_string(p));
+            }
+        }
+    }
+}
+
+// Whatever changes together asks for longer chunks in the same scan.
+TEST(History, ScansInWhichEverythingChangesAreRecorded) {
+    for (int words = 16; words <= 4096; words += words < 1200 ? 40 : 512) {
+        SCOPED_TRACE(std::to_string(words) + " words");
+        History history(size_t(64) << 20);
+        Source source(history, static_cast<unsigned>(words));
+        source.useProgram(makeProgram(words));
+        for (unsigned i = 0; i < 130; ++i) {
+            if (i % 7 == 0) source.actFromOutside(100);
+            std::fill_n(source.data() + 112, words * 4, std::byte(i + 1));
+            source.scan(0, 1'000'000);
+        }
+        for (Position p = 0; p < 130; ++p) ASSERT_NO_FATAL_FAILURE(expectSame(history, source.all, p));
+    }
 }
 
 // ---------------------------------------------------------------- threads
