@@ -97,7 +97,8 @@ public:
 
     /// Who gave it the value that it has after the scan.
     [[nodiscard]] Result<Writer> lastWriter(const Question& question, Position at);
-    /// All its changes in [from, to), oldest first, `limit` at most.
+    /// All its changes in [from, to), oldest first, `limit` at most; before them who gave it the value that the
+    /// recording begins with, where that was written, forced or retained.
     [[nodiscard]] Result<std::vector<Writer>> writers(const Question& question, Position from, Position to,
                                                       size_t limit);
     /// The same at and before `at`, newest first; last who gave it the value it began with, where that is known.

@@ -122,6 +122,10 @@ bool covers(uint32_t offset, uint32_t size, int bit, const image::Place& place, 
     return bit < 0 || place.bit < 0 || bit == place.bit;
 }
 
+bool isGivenFromOutside(WriterKind kind) {
+    return kind == WriterKind::Written || kind == WriterKind::Forced || kind == WriterKind::Retain;
+}
+
 } // namespace
 
 /// What acted from outside on the bytes when the scan began.
@@ -247,6 +251,10 @@ Result<std::vector<Writer>> Reasoner::writers(const Question& question, Position
     if (to == 0) return all;
     Result<Asked> asked = ask(question, to - 1);
     if (!asked) return asked.error();
+    // What was given before the first scan has no scan to differ from: it is listed where somebody gave it.
+    if (const Position first = m_insight.history().statistics().first; from <= first && first < to && limit > 0)
+        if (auto writer = lastWriter(question, first); writer && isGivenFromOutside(writer->kind))
+            all.push_back(std::move(*writer));
     for (Position at = from; all.size() < limit && !m_insight.isCancelled();) {
         const std::optional<Position> change = m_insight.history().findChange(asked->expression, recompile(question),
                                                                               at, history::History::Direction::Forward);

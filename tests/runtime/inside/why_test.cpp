@@ -287,6 +287,20 @@ TEST_F(Why, TheWriterMayBeAForceAnInitialValueOrAReset) {
     EXPECT_EQ((*all)[1].before, "12");
 }
 
+// A device that answers at once has written before there was any scan.
+TEST_F(Why, WhatWasWrittenBeforeTheFirstScanIsListed) {
+    run("VAR_GLOBAL a, b : INT; END_VAR\nPROGRAM Main\nb := a * 2;\nEND_PROGRAM");
+    set("a", 21);
+    scan(3);
+    const auto all = reasoner->writers({"a", {}}, 0, last() + 1, 100);
+    ASSERT_TRUE(all);
+    ASSERT_EQ(all->size(), 1u);
+    EXPECT_EQ((*all)[0].kind, WriterKind::Written);
+    EXPECT_EQ((*all)[0].value, "21");
+    EXPECT_TRUE((*all)[0].before.empty());
+    EXPECT_EQ(reasoner->writers({"a", {}}, 1, last() + 1, 100)->size(), 0u);
+}
+
 TEST_F(Why, AStepOfAChartWaitsForItsTransition) {
     run(R"(
 VAR_GLOBAL ready, full : BOOL; END_VAR
