@@ -175,7 +175,7 @@ void Coverage::count(const Look& look, const Event& event, uint32_t function) {
 }
 
 size_t Coverage::addAll(const history::History& history, Progress* progress) {
-    Insight insight(history);
+    Insight insight(history, m_code);
     insight.setCancel([progress] { return isCancelled(progress); });
     const history::Statistics all = history.statistics();
     size_t failed = 0;

@@ -80,6 +80,7 @@ private:
     [[nodiscard]] bool isCounted(uint32_t function) const;
 
     std::shared_ptr<const image::CompiledProgram> m_program;
+    std::shared_ptr<WatchedCode> m_code = std::make_shared<WatchedCode>();
     const tree::Program* m_tree;
     struct Unit {
         std::map<uint32_t, StatementCoverage> statements; // by start of the text

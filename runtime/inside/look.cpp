@@ -196,25 +196,31 @@ EventIndex Look::lastWriteBefore(EventIndex before, uint32_t offset, uint32_t si
     return kNone;
 }
 
-// ---------------------------------------------------------------- Insight
+// ---------------------------------------------------------------- WatchedCode
 
-Result<std::shared_ptr<const image::Code>>
-Insight::codeFor(const std::shared_ptr<const image::CompiledProgram>& program, const std::vector<uint32_t>& functions) {
-    for (const Code& known : m_codes) {
-        if (known.program != program) continue;
-        const bool holds =
-            known.functions.empty() ||
-            (!functions.empty() && std::all_of(functions.begin(), functions.end(), [&](uint32_t f) {
-                return std::find(known.functions.begin(), known.functions.end(), f) != known.functions.end();
-            }));
-        if (holds) return known.code;
+Result<std::shared_ptr<const image::Code>> WatchedCode::of(const std::shared_ptr<const image::CompiledProgram>& program,
+                                                           const std::vector<uint32_t>& functions) {
+    {
+        const std::lock_guard lock(m_mutex);
+        for (const Known& known : m_known) {
+            if (known.program != program) continue;
+            const bool holds =
+                known.functions.empty() ||
+                (!functions.empty() && std::all_of(functions.begin(), functions.end(), [&](uint32_t f) {
+                    return std::find(known.functions.begin(), known.functions.end(), f) != known.functions.end();
+                }));
+            if (holds) return known.code;
+        }
     }
     auto code = driver::compileWatched(program, functions);
     if (!code) return code.error();
-    if (m_codes.size() >= kCodesKept) m_codes.erase(m_codes.begin());
-    m_codes.push_back({program, functions, *code});
+    const std::lock_guard lock(m_mutex);
+    if (m_known.size() >= kCodesKept) m_known.erase(m_known.begin());
+    m_known.push_back({program, functions, *code});
     return *code;
 }
+
+// ---------------------------------------------------------------- Insight
 
 namespace {
 
@@ -246,7 +252,7 @@ Result<std::shared_ptr<const Look>> Insight::look(Position position, const LookO
         if (look) tell(**look, options);
         return look;
     }
-    auto code = codeFor(input->program, options.functions);
+    auto code = m_code->of(input->program, options.functions);
     if (!code) return code.error();
     auto look = std::make_shared<Look>();
     look->m_position = position;
@@ -264,7 +270,7 @@ Result<std::shared_ptr<const Look>> Insight::look(Position position, const LookO
 }
 
 Result<std::shared_ptr<const Look>> Insight::lookFrom(history::ScanInput input, const LookOptions& options) {
-    auto code = codeFor(input.program, options.functions);
+    auto code = m_code->of(input.program, options.functions);
     if (!code) return code.error();
     auto look = std::make_shared<Look>();
     look->m_code = *code;

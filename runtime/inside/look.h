@@ -147,10 +147,30 @@ private:
     mutable std::shared_ptr<const Index> m_index;
 };
 
+/// The code that reports what it does, of the programs that were looked into last; compiling it is most of the time of
+/// a first look. Whoever looks into several recordings of one program shares it. Any thread.
+class WatchedCode {
+public:
+    /// functions: those that report; none: all.
+    [[nodiscard]] Result<std::shared_ptr<const image::Code>>
+    of(const std::shared_ptr<const image::CompiledProgram>& program, const std::vector<uint32_t>& functions);
+
+private:
+    struct Known {
+        std::shared_ptr<const image::CompiledProgram> program;
+        std::vector<uint32_t> functions;
+        std::shared_ptr<const image::Code> code;
+    };
+    std::mutex m_mutex;
+    std::vector<Known> m_known; // the newest last
+};
+
 /// Looks into recorded scans.
 class Insight {
 public:
-    explicit Insight(const history::History& history) : m_history(history), m_rerunner(history) {}
+    explicit Insight(const history::History& history,
+                     std::shared_ptr<WatchedCode> code = std::make_shared<WatchedCode>())
+        : m_history(history), m_rerunner(history), m_code(std::move(code)) {}
     [[nodiscard]] Result<std::shared_ptr<const Look>> look(Position position, const LookOptions& options = {});
     /// The scan as it would have gone from another beginning (what if, why not); not compared, not cached.
     [[nodiscard]] Result<std::shared_ptr<const Look>> lookFrom(history::ScanInput input,
@@ -163,17 +183,9 @@ public:
     [[nodiscard]] bool isCancelled() const { return m_rerunner.isCancelled(); }
 
 private:
-    struct Code {
-        std::shared_ptr<const image::CompiledProgram> program;
-        std::vector<uint32_t> functions; // watched; none: all
-        std::shared_ptr<const image::Code> code;
-    };
-    [[nodiscard]] Result<std::shared_ptr<const image::Code>>
-    codeFor(const std::shared_ptr<const image::CompiledProgram>& program, const std::vector<uint32_t>& functions);
-
     const history::History& m_history;
     Rerunner m_rerunner;
-    std::vector<Code> m_codes;
+    std::shared_ptr<WatchedCode> m_code;
     std::vector<std::shared_ptr<const Look>> m_looks; // the newest last
 };
 

@@ -99,9 +99,15 @@ void ask(Drawn& drawn, SourceRange place) {
     }
 }
 
+/// What was compared in all scans.
+struct Counts {
+    size_t compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
+};
+
 class Flow {
 public:
-    explicit Flow(const session::Session& session) : m_session(session), m_program(session.program()) {
+    Flow(const session::Session& session, Counts& counts)
+        : m_session(&session), m_counts(counts), m_program(session.program()) {
         std::vector<const syntax::SyntaxFile*> files;
         for (size_t i = 0; i < m_program->sources.files.size(); ++i) {
             const SourceText& source = m_program->sources.files[i];
@@ -118,19 +124,27 @@ public:
             if (own.count(text.id.index())) draw(text);
     }
 
+    [[nodiscard]] bool isOf(const session::Session& session) const { return session.program() == m_program; }
+    /// Of the same program.
+    void setSession(const session::Session& session) { m_session = &session; }
+
     void compareScan(const Look& look, const std::shared_ptr<const Look>& owner) {
         ASSERT_TRUE(look.isExact());
         if (look.fault()) return;                                 // a scan that was left in the middle
         std::unordered_map<uint32_t, std::vector<uint32_t>> runs; // by function
         for (uint32_t i = 0; i < look.activations().size(); ++i) runs[look.activations()[i].function].push_back(i);
+        std::vector<UnitRun> units;
         for (const Text& text : m_texts)
             for (const Drawn& drawn : text.units)
                 for (const uint32_t function : drawn.functions)
                     if (const auto found = runs.find(function); found != runs.end())
-                        compareUnit(text, drawn, function, found->second, look, owner);
+                        addRuns(text, drawn, function, found->second, look, units);
+        follow(look, units);
+        for (const UnitRun& unit : units) {
+            const inside::PlaceValues places(owner, unit.text->id, unit.instance);
+            for (const ladder::Diagram& diagram : unit.drawn->forms) compareDiagram(unit, diagram, places);
+        }
     }
-
-    size_t compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
 
 private:
     using KnownAt = std::map<uint64_t, Known>;
@@ -160,6 +174,16 @@ private:
     struct Frame {
         const image::FunctionInfo* function = nullptr;
         uint32_t offset = 0;
+    };
+
+    /// The only run of a unit's instance in a scan, and what was found of it.
+    struct UnitRun {
+        const Text* text;
+        const Drawn* drawn;
+        std::string instance;
+        uint32_t activation;
+        Frame frame;
+        KnownAt known;
     };
 
     /// A variable of the frame as ST writes its value; nothing where that cannot be written or is not its own.
@@ -218,7 +242,7 @@ private:
             if (!filled) return known;
             words = std::move(*filled);
         }
-        const auto expression = m_session.expression(words, instance);
+        const auto expression = m_session->expression(words, instance);
         if (!expression) return known;
         const expression::Outcome outcome = expression->evaluate(image);
         if (!outcome.hasValue()) return known;
@@ -257,10 +281,10 @@ private:
         }
     }
 
-    /// Follows the scan's writes and evaluates what each statement of the activation asks, as it begins.
-    KnownAt follow(const Text& text, const Drawn& drawn, const Look& look, uint32_t activation,
-                   const std::string& instance, const Frame& frame) {
-        KnownAt known;
+    /// Follows the scan's writes and evaluates what each statement of the units asks, as it begins.
+    void follow(const Look& look, std::vector<UnitRun>& units) {
+        std::unordered_map<uint32_t, std::vector<UnitRun*>> byActivation;
+        for (UnitRun& unit : units) byActivation[unit.activation].push_back(&unit);
         std::vector<std::byte> image = look.input().image;
         std::memcpy(image.data(), look.image().data(), kClockEnd); // set when the scan began
         bool isForced = false;
@@ -279,66 +303,70 @@ private:
                 }
                 std::memcpy(image.data() + event.offset, &event.bits, std::min<uint32_t>(event.size, 8));
             }
-            if (event.kind != image::WatchKind::Statement || event.activation != activation) continue;
-            if (!(event.stmt()->range.file == text.id)) continue;
-            known[keyOf(event.stmt()->range)].isExecuted = true;
-            const auto asked = drawn.asked.find(keyOf(event.stmt()->range));
-            if (asked == drawn.asked.end()) continue;
-            for (const SourceRange& range : asked->second) {
-                Known value = evaluate(text, range, instance, image, frame);
-                if (!doubtful.empty()) { // what changes with them is not known
-                    const auto flip = [&] {
-                        for (const uint32_t byte : doubtful) image[byte] = ~image[byte];
-                    };
-                    flip();
-                    if (evaluate(text, range, instance, image, frame).text != value.text) value = {};
-                    flip();
-                }
-                Known& at = known[keyOf(range)];
-                value.isExecuted = true;
-                at = std::move(value);
-            }
+            if (event.kind != image::WatchKind::Statement) continue;
+            const auto found = byActivation.find(event.activation);
+            if (found == byActivation.end()) continue;
+            for (UnitRun* unit : found->second)
+                if (event.stmt()->range.file == unit->text->id) askAt(event.stmt()->range, *unit, image, doubtful);
         }
-        return known;
     }
 
-    void compareUnit(const Text& text, const Drawn& drawn, uint32_t functionIndex, const std::vector<uint32_t>& all,
-                     const Look& look, const std::shared_ptr<const Look>& owner) {
+    /// What is asked at a statement that begins.
+    void askAt(SourceRange statement, UnitRun& unit, std::vector<std::byte>& image,
+               const std::set<uint32_t>& doubtful) {
+        unit.known[keyOf(statement)].isExecuted = true;
+        const auto asked = unit.drawn->asked.find(keyOf(statement));
+        if (asked == unit.drawn->asked.end()) return;
+        for (const SourceRange& range : asked->second) {
+            Known value = evaluate(*unit.text, range, unit.instance, image, unit.frame);
+            if (!doubtful.empty()) { // what changes with them is not known
+                const auto flip = [&] {
+                    for (const uint32_t byte : doubtful) image[byte] = ~image[byte];
+                };
+                flip();
+                if (evaluate(*unit.text, range, unit.instance, image, unit.frame).text != value.text) value = {};
+                flip();
+            }
+            Known& at = unit.known[keyOf(range)];
+            value.isExecuted = true;
+            at = std::move(value);
+        }
+    }
+
+    void addRuns(const Text& text, const Drawn& drawn, uint32_t functionIndex, const std::vector<uint32_t>& all,
+                 const Look& look, std::vector<UnitRun>& units) {
         const image::FunctionInfo& function = m_program->functions[functionIndex];
         std::map<std::string, std::vector<uint32_t>> runs; // by instance
         for (const uint32_t i : all)
             runs[function.instanceType.isValid() ? look.instanceOf(i) : std::string()].push_back(i);
         for (const auto& [instance, activations] : runs) {
             if (activations.size() != 1) continue; // places tell of the last run only
-            const inside::Activation& run = look.activations()[activations[0]];
             Frame frame;
-            if (!function.locals.empty()) frame = {&function, run.frame};
-            inFrames += frame.function ? 1 : 0;
-            const KnownAt known = follow(text, drawn, look, activations[0], instance, frame);
-            const inside::PlaceValues places(owner, text.id, instance);
-            for (const ladder::Diagram& diagram : drawn.forms)
-                compareDiagram(text, drawn, diagram, known, places, instance, frame);
+            if (!function.locals.empty()) frame = {&function, look.activations()[activations[0]].frame};
+            m_counts.inFrames += frame.function ? 1 : 0;
+            units.push_back({&text, &drawn, instance, activations[0], frame, {}});
         }
     }
 
-    void compareDiagram(const Text& text, const Drawn& drawn, const ladder::Diagram& diagram, const KnownAt& known,
-                        const inside::PlaceValues& places, const std::string& instance, const Frame& frame) {
+    void compareDiagram(const UnitRun& unit, const ladder::Diagram& diagram, const inside::PlaceValues& places) {
+        const Text& text = *unit.text;
+        const KnownAt& known = unit.known;
         const ladder::Answers answers = [&](const ladder::Question& question) {
             if (const auto* value = places.at(question.range)) return value->value.isTrue() ? Power::On : Power::Off;
             // Not computed, so a constant: a variable of a frame is none.
-            const Known constant = evaluate(text, question.range, instance, places.look().image(), frame);
+            const Known constant = evaluate(text, question.range, unit.instance, places.look().image(), unit.frame);
             return !constant.truth ? Power::Unknown : *constant.truth ? Power::On : Power::Off;
         };
         const ladder::Executed isExecuted = [&](SourceRange range) { return places.isExecuted(range); };
         std::vector<Power> power(diagram.nodes.size(), Power::Unknown);
         for (const ladder::Rung& rung : diagram.rungs) {
             ladder::computeFlow(text.text, diagram, rung, answers, power, isExecuted);
-            const std::string where = m_session.program()->sources.files[text.id.index()].path() + " " + instance +
-                                      " scan " + std::to_string(places.look().position()) + ": " +
+            const std::string where = m_session->program()->sources.files[text.id.index()].path() + " " +
+                                      unit.instance + " scan " + std::to_string(places.look().position()) + ": " +
                                       std::string(text.text.substr(rung.range.begin, rung.range.length()));
             const bool isReached = ladder::isRungExecuted(diagram, rung, isExecuted);
-            notExecuted += isReached ? 0 : 1;
-            const bool mustBe = rung.depth == 0 && rung.kind == ladder::RungKind::Logic && !drawn.mayLeave;
+            m_counts.notExecuted += isReached ? 0 : 1;
+            const bool mustBe = rung.depth == 0 && rung.kind == ladder::RungKind::Logic && !unit.drawn->mayLeave;
             EXPECT_TRUE(isReached || !mustBe) << where;
             const Truth rail = isReached ? Truth(true) : Truth();
             const Truth shared =
@@ -376,10 +404,10 @@ private:
             behind = both(before, valueOf(known, node.expr->range));
         }
         if (!behind) {
-            ++unknown;
+            ++m_counts.unknown;
             return behind;
         }
-        ++compared;
+        ++m_counts.compared;
         EXPECT_EQ(static_cast<int>(power[id.index()]), static_cast<int>(*behind ? Power::On : Power::Off))
             << where << "\n  behind " << node.label << " " << node.op;
         return behind;
@@ -404,7 +432,7 @@ private:
         // alone is computed as LREAL by the evaluator.
         if (!shown->value.type.isValid() || types.isText(shown->value.type) || types.isAggregate(shown->value.type))
             return;
-        ++values;
+        ++m_counts.values;
         if (types.family(shown->value.type) == types::Family::Real) {
             const double here = std::strtod(types::toText(types, shown->value).c_str(), nullptr);
             const double there = std::strtod(at->second.text.c_str(), nullptr);
@@ -416,7 +444,8 @@ private:
             << question.text << " scan " << places.look().position();
     }
 
-    const session::Session& m_session;
+    const session::Session* m_session;
+    Counts& m_counts;
     std::shared_ptr<const image::CompiledProgram> m_program;
     std::vector<Text> m_texts;
     std::unique_ptr<ladder::DeclaredTypes> m_types;
@@ -431,33 +460,35 @@ TEST_P(ExampleFlow, IsTheValueOfEverySubExpressionWhereItWasComputed) {
     const char* given = std::getenv("STEPWISE_FLOW_SCANS");
     const history::Position wanted = given ? std::max(1, std::atoi(given)) : 40;
     const bool takesAll = std::getenv("STEPWISE_LONG") != nullptr;
-    size_t scans = 0, compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
+    size_t scans = 0;
+    Counts counts;
+    std::optional<Flow> flow; // drawn once: the TESTs run the same program
+    const auto code = std::make_shared<inside::WatchedCode>();
     plc::testing::Options options;
     options.finished = [&](session::Session& session) {
-        Flow flow(session);
-        inside::Insight insight(session.history());
+        if (flow && flow->isOf(session))
+            flow->setSession(session);
+        else
+            flow.emplace(session, counts);
+        inside::Insight insight(session.history(), code);
         const history::Statistics all = session.history().statistics();
         const history::Position step = takesAll ? 1 : std::max<history::Position>(1, (all.end - all.first) / wanted);
         for (history::Position at = all.first; at < all.end; at += step) {
             const auto look = insight.look(at);
             if (!look) continue; // the first one of an evicted recording
             if ((*look)->leftOut() > 0) continue;
-            flow.compareScan(**look, *look);
+            flow->compareScan(**look, *look);
             ++scans;
         }
-        compared += flow.compared;
-        unknown += flow.unknown;
-        values += flow.values;
-        notExecuted += flow.notExecuted;
-        inFrames += flow.inFrames;
     };
     const auto report = plc::testing::runTests(*project, options);
     ASSERT_TRUE(report) << report.error().english();
     std::printf("%s: %zu scans, %zu places of power, %zu values, %zu rungs not executed, %zu runs of methods and "
                 "functions, %zu not known\n",
-                GetParam().c_str(), scans, compared, values, notExecuted, inFrames, unknown);
+                GetParam().c_str(), scans, counts.compared, counts.values, counts.notExecuted, counts.inFrames,
+                counts.unknown);
     EXPECT_GT(scans, 0u);
-    EXPECT_GT(compared + values, 0u);
+    EXPECT_GT(counts.compared + counts.values, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleFlow, ::testing::ValuesIn(exampleNames()),
