@@ -27,9 +27,6 @@ PLC_SEEN_ONCE inline __m128i equalWords(const std::byte* a, const std::byte* b, 
 
 /// Bit i: the i-th 4-byte word of the 64-byte blocks differs.
 PLC_SEEN_ONCE inline uint16_t changedWords(const std::byte* a, const std::byte* b) {
-#if defined(PLC_SANITIZED) && !defined(__SANITIZE_THREAD__) // checks each load; most blocks have not changed
-    if (std::memcmp(a, b, kBlock) == 0) return 0;
-#endif
 #ifdef __SSE2__
     const __m128i low = _mm_packs_epi32(equalWords(a, b, 0), equalWords(a, b, 1));
     const __m128i high = _mm_packs_epi32(equalWords(a, b, 2), equalWords(a, b, 3));
