@@ -97,8 +97,8 @@ public:
 
     /// Who gave it the value that it has after the scan.
     [[nodiscard]] Result<Writer> lastWriter(const Question& question, Position at);
-    /// All its changes in [from, to), oldest first, `limit` at most; before them who gave it the value that the
-    /// recording begins with, where that was written, forced or retained.
+    /// All its changes in [from, to), oldest first, `limit` at most, those of the recording's first scan too; before
+    /// them who gave it the value that the recording begins with, where that was written, forced or retained.
     [[nodiscard]] Result<std::vector<Writer>> writers(const Question& question, Position from, Position to,
                                                       size_t limit);
     /// The same at and before `at`, newest first; last who gave it the value it began with, where that is known.
@@ -114,6 +114,7 @@ private:
     [[nodiscard]] Result<Writer> writerOf(const Question& question, const image::Place& place, Position at);
     [[nodiscard]] std::optional<Writer> outsideWriter(const image::Place& place, Position at,
                                                       const std::shared_ptr<const image::CompiledProgram>& program);
+    [[nodiscard]] std::optional<Writer> firstWriter(const Question& question, Position first);
     [[nodiscard]] std::optional<Position> lastChange(const expression::Expression& expression, const Question& question,
                                                      Position at);
     void findTriggers(Explanation& answer, const Asked& asked, Position changed, const Slice& slice, uint32_t depth);

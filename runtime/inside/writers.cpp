@@ -246,15 +246,26 @@ Result<Writer> Reasoner::lastWriter(const Question& question, Position at) {
     return writer;
 }
 
+/// The first scan that is recorded has none before it: what it changed differs from what it began with, and what it
+/// began with counts where somebody gave it.
+std::optional<Writer> Reasoner::firstWriter(const Question& question, Position first) {
+    Result<Writer> writer = lastWriter(question, first);
+    if (!writer) return std::nullopt;
+    if (isGivenFromOutside(writer->kind)) return std::move(*writer);
+    const Result<Asked> asked = ask(question, first);
+    const Result<history::ScanInput> input = m_insight.history().inputOf(first);
+    if (writer->kind != WriterKind::Statement || !asked || !input) return std::nullopt;
+    writer->before = asked->text(input->image);
+    return writer->before == writer->value ? std::nullopt : std::optional(std::move(*writer));
+}
+
 Result<std::vector<Writer>> Reasoner::writers(const Question& question, Position from, Position to, size_t limit) {
     std::vector<Writer> all;
     if (to == 0) return all;
     Result<Asked> asked = ask(question, to - 1);
     if (!asked) return asked.error();
-    // What was given before the first scan has no scan to differ from: it is listed where somebody gave it.
     if (const Position first = m_insight.history().statistics().first; from <= first && first < to && limit > 0)
-        if (auto writer = lastWriter(question, first); writer && isGivenFromOutside(writer->kind))
-            all.push_back(std::move(*writer));
+        if (auto writer = firstWriter(question, first)) all.push_back(std::move(*writer));
     for (Position at = from; all.size() < limit && !m_insight.isCancelled();) {
         const std::optional<Position> change = m_insight.history().findChange(asked->expression, recompile(question),
                                                                               at, history::History::Direction::Forward);

@@ -282,9 +282,11 @@ TEST_F(Why, TheWriterMayBeAForceAnInitialValueOrAReset) {
     EXPECT_EQ(reset->kind, WriterKind::Reset);
     const auto all = reasoner->writers({"b", {}}, 0, last() + 1, 100);
     ASSERT_TRUE(all);
-    ASSERT_EQ(all->size(), 2u);
-    EXPECT_EQ((*all)[0].value, "12");
-    EXPECT_EQ((*all)[1].before, "12");
+    ASSERT_EQ(all->size(), 3u);
+    EXPECT_EQ((*all)[0].before, "0"); // in the first scan
+    EXPECT_EQ((*all)[0].value, "7");
+    EXPECT_EQ((*all)[1].value, "12");
+    EXPECT_EQ((*all)[2].before, "12");
 }
 
 // A device that answers at once has written before there was any scan.
