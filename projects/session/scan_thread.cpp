@@ -15,6 +15,7 @@ using PlcState = controller::State;
 namespace {
 constexpr int64_t kPublishEvery = 5'000'000, kShareEvery = 5'000'000, kStatisticsEvery = 100'000'000,
                   kLoadWindow = 250'000'000;
+constexpr int64_t kRest = 1'000'000'000, kRetry = 1'000'000; // while no scan is due; what was not published comes soon
 constexpr size_t kEventsKept = 100'000;
 } // namespace
 
@@ -52,14 +53,14 @@ void Session::State::run() {
         keepFaultImage();
         if (!scansAreWanted()) {
             reportSkipped(wallNow());
-            publish();
+            const bool isPublished = publish();
             share(true);
             needsAnchor = true;
             load.store(0, std::memory_order_relaxed);
             busyNs = 0;
             loadSince = wallNow();
             if (commands.isEmpty() && deferred.empty() && !isQuitting.load(std::memory_order_acquire))
-                wakeUp.wait(controller.state() == PlcState::Running ? 0 : 1'000'000'000);
+                wakeUp.wait(controller.state() == PlcState::Running ? 0 : isPublished ? kRest : kRetry);
             continue;
         }
         const bool isStopped = controller.state() != PlcState::Running; // only the plant: at its own pace
@@ -89,7 +90,7 @@ void Session::State::drain() {
         writes.apply(controller, controller.state() == PlcState::Running, newRefusals);
         sharedIsStale = true;
     }
-    state.store(controller.state(), std::memory_order_relaxed);
+    showState();
 }
 
 bool Session::State::leavesLongScan() {
@@ -181,7 +182,7 @@ void Session::State::afterScans(int64_t begin, int64_t end) {
         pausesAfterScan = false;
         controller.pause();
     }
-    state.store(controller.state(), std::memory_order_relaxed);
+    showState();
     busyNs += end - begin;
     if (loadSince == 0) loadSince = begin;
     if (end - loadSince >= kLoadWindow) {
@@ -204,7 +205,6 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
     goesOn = leavesScan = false;
     haltFrames = halt.frames;
     haltProblem = halt.problem;
-    state.store(PlcState::Halted, std::memory_order_relaxed);
     bool isFresh = false, isCounted = false;
     while (!goesOn && !leavesScan) {
         if (isQuitting.load(std::memory_order_acquire)) leavesScan = true;
@@ -220,14 +220,13 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
             }
         }
         if (goesOn || leavesScan) break;
-        if (!isFresh) {
-            publish();
+        if (!isFresh && publish()) {
             sharedIsStale = true;
             share(true);
             isFresh = true;
             if (!std::exchange(isCounted, true)) halts.fetch_add(1, std::memory_order_release);
         }
-        wakeUp.wait(1'000'000'000);
+        wakeUp.wait(isFresh ? kRest : kRetry);
     }
     isHalted = false;
     haltedNs += wallNow() - since;
@@ -235,16 +234,16 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
     haltProblem = {};
     needsAnchor = true;
     sharedIsStale = true;
-    if (!leavesScan) state.store(PlcState::Running, std::memory_order_relaxed);
+    if (!leavesScan) state.store(PlcState::Running, std::memory_order_release);
     return leavesScan ? debug::Going::Abandon : debug::Going::On;
 }
 
 // ---------------------------------------------------------------- what others see
 
-void Session::State::publish() {
+bool Session::State::publish() {
     lastPublish = wallNow();
     Snapshot* next = published.begin();
-    if (!next) return; // readers hold every spare one; the next publication comes soon
+    if (!next) return false; // readers hold every spare one; the next publication comes soon
     const std::span<const std::byte> image = controller.image();
     next->image.resize(image.size());
     // The frame area is of interest only where the scan stands.
@@ -258,7 +257,17 @@ void Session::State::publish() {
     next->position = recorded.end > 0 ? recorded.end - 1 : 0;
     next->isHalted = isHalted;
     published.publish();
+    publishedState = stateNow();
     if (std::exchange(savesRetain, false)) wantsRetainSaved.store(true, std::memory_order_release);
+    return true;
+}
+
+PlcState Session::State::stateNow() const { return isHalted ? PlcState::Halted : controller.state(); }
+
+void Session::State::showState() {
+    const PlcState now = stateNow();
+    if (publishedState != now && !publish()) return; // with the next publication
+    state.store(now, std::memory_order_release);
 }
 
 void Session::State::share(bool mayWait) {
@@ -286,7 +295,7 @@ void Session::State::putShared() {
     for (Error& refusal : newRefusals) shared.refusals.push_back(std::move(refusal));
     newRefusals.clear();
     sharedIsStale = false;
-    state.store(isHalted ? PlcState::Halted : controller.state(), std::memory_order_relaxed);
+    showState();
 }
 
 void Session::State::scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds at) {

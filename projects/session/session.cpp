@@ -80,7 +80,7 @@ const history::History& Session::history() const { return m->history; }
 Status Session::status() const {
     Status status;
     status.halts = m->halts.load(std::memory_order_acquire); // before the state: a later halt is seen the next time
-    status.state = m->state.load(std::memory_order_relaxed);
+    status.state = m->state.load(std::memory_order_acquire); // the values that belong to it are published
     status.scans = m->scans.load(std::memory_order_relaxed);
     status.time = Nanoseconds(m->time.load(std::memory_order_relaxed));
     status.load = m->load.load(std::memory_order_relaxed);

@@ -92,6 +92,7 @@ struct Session::State final : controller::ScanObserver {
     std::vector<controller::FaultFrame> haltFrames;
     Message haltProblem;
     std::shared_ptr<const FaultImage> faultImage;
+    controller::State publishedState = controller::State::Stopped; // to which the newest publication belongs
     int64_t lastPublish = 0, lastShare = 0, busyNs = 0, loadSince = 0;
     uint64_t skippedReported = 0;
     int64_t skippedReportedAt = 0;
@@ -116,7 +117,11 @@ struct Session::State final : controller::ScanObserver {
     void anchor(int64_t now);
     [[nodiscard]] bool scansAreWanted() const;
     debug::Going serveHalt(const debug::Halt& halt);
-    void publish();
+    /// False when it was left out (see Published).
+    bool publish();
+    [[nodiscard]] controller::State stateNow() const;
+    /// Whoever sees a state reads the values that belong to it: they are published first.
+    void showState();
     /// Brings `shared` up to date; `mayWait` when no scan is due.
     void share(bool mayWait);
     void putShared();

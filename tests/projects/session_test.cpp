@@ -40,7 +40,9 @@ void slow(RuntimeContext*, std::byte* image, uint32_t) {
     if (image[kButton] != std::byte{}) image[kSeen] = std::byte{1};
 }
 
-driver::Built program(std::chrono::nanoseconds interval = 1ms, std::chrono::nanoseconds slowInterval = 10ms) {
+/// `bulk`: how many more variables there are, which take time to copy.
+driver::Built program(std::chrono::nanoseconds interval = 1ms, std::chrono::nanoseconds slowInterval = 10ms,
+                      int bulk = 0) {
     HandMade made;
     const FileId file = made.program().sources.add("main.st", "count := count + 1;\n");
     made.add("count", TypeKind::Dint).retain = true;
@@ -50,6 +52,7 @@ driver::Built program(std::chrono::nanoseconds interval = 1ms, std::chrono::nano
     made.add("log", made.types().array({{0, 15}}, TypeTable::of(TypeKind::Dint)));
     made.add("button", TypeKind::Bool);
     made.add("seen", TypeKind::Bool);
+    if (bulk > 0) made.add("bulk", made.types().array({{1, bulk}}, TypeTable::of(TypeKind::Dint)));
     made.locate("lamp", TypeKind::Bool, "%QX0.0", 80, 0, Area::Output);
     const uint32_t function = made.function("Fast", &fast);
     made.site(function, {file, 0, 19});
@@ -209,6 +212,43 @@ TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
     session.start();
     ASSERT_TRUE(eventually([&] { return session.status().state == PlcState::Halted; }));
     // closing abandons the scan
+}
+
+/// Looks without a pause, as somebody does who happens to look at the worst moment.
+bool becomes(const Session& session, PlcState state) {
+    const auto latest = std::chrono::steady_clock::now() + 30s;
+    while (session.status().state != state)
+        if (std::chrono::steady_clock::now() > latest) return false;
+    return true;
+}
+
+TEST(Session, WhoSeesAStateReadsTheValuesThatBelongToIt) {
+    Session session(program(1ms, 10ms, 250'000));
+    session.startThread(real());
+    ASSERT_TRUE(eventually([&] { return session.status().scans > 0; }));
+    Snapshot now;
+    for (int round = 0; round < 20; ++round) {
+        SCOPED_TRACE(round);
+        session.setBreakpoints({atLineOne()});
+        ASSERT_TRUE(becomes(session, PlcState::Halted));
+        session.latest(now);
+        ASSERT_TRUE(now.isHalted) << "the image of a scan before";
+        ASSERT_EQ(now.scan + 1, session.status().scans);
+        ASSERT_EQ(session.haltFrames().size(), 1u);
+        session.setBreakpoints({});
+        session.resume();
+        ASSERT_TRUE(becomes(session, PlcState::Running));
+        const uint64_t scans = session.status().scans;
+        ASSERT_TRUE(eventually([&] { return session.status().scans > scans + 2; }));
+        session.pause();
+        ASSERT_TRUE(becomes(session, PlcState::Paused));
+        session.latest(now);
+        ASSERT_FALSE(now.isHalted);
+        ASSERT_EQ(now.scan + 1, session.status().scans);
+        ASSERT_EQ(valueAt<int32_t>(now.image, kCount), static_cast<int32_t>(session.status().scans));
+        session.start();
+        ASSERT_TRUE(becomes(session, PlcState::Running));
+    }
 }
 
 TEST(Session, TheTimeAtABreakpointIsNotTheScans) {
