@@ -159,6 +159,8 @@ MainWindow::~MainWindow() {
     delete m_testRunner; // ends what it runs
     if (m_control) m_control->disconnectSession();
     delete m_stack; // open designers look at what the live views own
+    // The other parts are destroyed with QObject, when this is no MainWindow any more that could hear them.
+    for (QObject* part : findChildren<QObject*>()) part->disconnect(this);
 }
 
 // ------------------------------------------------------------------ building the window

@@ -28,6 +28,21 @@ TEST_F(StudioTest, OpensTheMainProgramAndShowsItInTheTree) {
     EXPECT_FALSE(found.isEmpty());
 }
 
+/// Says something when it is destroyed, as a connection does that breaks off then.
+class LastWord final : public QObject {
+public:
+    LastWord(QObject* parent, LiveViews& live) : QObject(parent), m_live(live) {}
+    ~LastWord() override { emit m_live.message("The connection was lost", true); }
+
+private:
+    LiveViews& m_live;
+};
+
+TEST_F(StudioTest, WhatItsPartsSayWhileTheWindowGoesIsNotHeard) {
+    new LastWord(&window->control(), window->live());
+    window.reset(); // what is said then would reach a window that is half gone
+}
+
 TEST_F(StudioTest, TypingAnUndeclaredNameShowsADiagnosticAndUndoRemovesIt) {
     typeAtEnd("nonsense := 1;");
     analysed();
