@@ -132,7 +132,8 @@ void project(const MatrixXd& nuisance, Eigen::Ref<MatrixXd> columns) {
         return;
     }
     const Eigen::ColPivHouseholderQR<MatrixXd> qr(nuisance);
-    const MatrixXd basis = MatrixXd(qr.householderQ()).leftCols(qr.rank());
+    // Only the columns that are needed: all of them are as many as there are samples.
+    const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(nuisance.rows(), qr.rank());
     columns -= basis * (basis.transpose() * columns);
 }
 
