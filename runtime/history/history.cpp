@@ -271,7 +271,7 @@ std::vector<std::shared_ptr<const image::CompiledProgram>> History::programs() c
 
 void History::State::restore(const Segment& segment, uint32_t index, std::byte* image) {
     for (uint32_t block = 0; block < segment.blocks; ++block) {
-        std::byte bytes[kBlock]; // the last block may lie over the end
+        alignas(8) std::byte bytes[kBlock]; // the last block may lie over the end
         std::memcpy(bytes, segment.keyframe.get() + size_t(block) * kBlock, kBlock);
         for (BlockCursor cursor(segment, block); cursor.index() <= index;) cursor.applyToBlock(bytes);
         std::memcpy(image + size_t(block) * kBlock, bytes,

@@ -11,7 +11,7 @@ namespace plc::history {
 
 namespace {
 
-// The thread sanitizer sees one look at each block of an image instead of 32, which were most of the time of its tests.
+// The thread sanitizer does not see each of the 32 looks at a block, which were most of the time of its tests.
 #ifdef __SANITIZE_THREAD__
 #define PLC_SEEN_ONCE __attribute__((no_sanitize("thread")))
 #else
@@ -107,7 +107,7 @@ void SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t 
         }
     }
     if (whole < blocks) { // an image that ends within a block
-        std::byte last[kBlock] = {};
+        alignas(8) std::byte last[kBlock] = {};
         std::memcpy(last, image + size_t(whole) * kBlock, imageSize - whole * kBlock);
         uint16_t mask = changedWords(before + size_t(whole) * kBlock, last);
         if (whole == 0) mask = static_cast<uint16_t>(mask & ~kClockWords);
@@ -132,7 +132,10 @@ void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte*
 #endif
     for (uint32_t block = first; block < end; ++block) {
 #ifdef __SANITIZE_THREAD__
-        (void)*static_cast<const volatile std::byte*>(image + size_t(block) * kBlock);
+        // Another 8 bytes of each eighth block are looked at in each scan: in 64 scans, all that somebody else may
+        // write.
+        if ((block + index) % 8 == 0)
+            (void)*static_cast<const volatile std::byte*>(image + size_t(block) * kBlock + index / 8 % 8 * 8);
 #endif
         const uint16_t mask = changedWords(before + size_t(block) * kBlock, image + size_t(block) * kBlock);
         if (mask) [[unlikely]]
@@ -144,10 +147,9 @@ void SegmentWriter::writeBlock(uint32_t block, uint16_t mask, const std::byte* n
     const EntryHead head{index, mask};
     const auto size = static_cast<uint32_t>(sizeof head + 4 * std::popcount(mask));
     std::byte* out = room(block, size);
-    std::memcpy(out, &head, sizeof head);
+    std::memcpy(std::assume_aligned<4>(out), &head, sizeof head);
     out += sizeof head;
-    for (unsigned rest = mask; rest != 0; rest &= rest - 1, out += 4)
-        std::memcpy(out, now + std::countr_zero(rest) * 4, 4);
+    for (unsigned rest = mask; rest != 0; rest &= rest - 1, out += 4) copyWord(out, now + std::countr_zero(rest) * 4);
     std::memcpy(m_shadow.get() + size_t(block) * kBlock, now, kBlock);
     publish(block, size);
 }
