@@ -11,22 +11,23 @@ namespace plc::history {
 
 namespace {
 
-// The thread sanitizer does not see each of the 32 looks at a block, which were most of the time of its tests.
+// The thread sanitizer does not see each of the 32 looks at a block, which were most of the time of its tests;
+// compareBlocks shows it some instead.
 #ifdef __SANITIZE_THREAD__
-#define PLC_SEEN_ONCE __attribute__((no_sanitize("thread")))
+#define PLC_NOT_INSTRUMENTED __attribute__((no_sanitize("thread")))
 #else
-#define PLC_SEEN_ONCE
+#define PLC_NOT_INSTRUMENTED
 #endif
 
 #ifdef __SSE2__
-PLC_SEEN_ONCE inline __m128i equalWords(const std::byte* a, const std::byte* b, int quarter) {
+PLC_NOT_INSTRUMENTED inline __m128i equalWords(const std::byte* a, const std::byte* b, int quarter) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a) + quarter),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(b) + quarter));
 }
 #endif
 
 /// Bit i: the i-th 4-byte word of the 64-byte blocks differs.
-PLC_SEEN_ONCE inline uint16_t changedWords(const std::byte* a, const std::byte* b) {
+PLC_NOT_INSTRUMENTED inline uint16_t changedWords(const std::byte* a, const std::byte* b) {
 #ifdef __SSE2__
     const __m128i low = _mm_packs_epi32(equalWords(a, b, 0), equalWords(a, b, 1));
     const __m128i high = _mm_packs_epi32(equalWords(a, b, 2), equalWords(a, b, 3));
@@ -132,8 +133,7 @@ void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte*
 #endif
     for (uint32_t block = first; block < end; ++block) {
 #ifdef __SANITIZE_THREAD__
-        // Another 8 bytes of each eighth block are looked at in each scan: in 64 scans, all that somebody else may
-        // write.
+        // Other 8 bytes of each eighth block in each scan: in 64 scans, all that somebody else may write.
         if ((block + index) % 8 == 0)
             (void)*static_cast<const volatile std::byte*>(image + size_t(block) * kBlock + index / 8 % 8 * 8);
 #endif
