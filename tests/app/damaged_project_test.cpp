@@ -3,7 +3,7 @@
 //   STEPWISE_DAMAGED=200      how many projects (12 when not given)
 //   STEPWISE_RANDOM_SEED=7    the first seed; it is printed
 #include "tests/app/studio_fixture.h"
-#include "tests/loaders/damage.h"
+#include "tests/support/damage.h"
 #include "tests/support/paths.h"
 #include "tests/support/settle.h"
 

@@ -3,7 +3,7 @@
 #include "projects/session/session.h"
 #include "runtime/base/messages.h"
 #include "tests/fuzz/inputs_impl.h"
-#include "tests/loaders/damage.h"
+#include "tests/support/damage.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ void damageAll(const char* name, void (*read)(const std::string&), const std::ve
         const std::string& text = good[damage.pick(good.size())];
         std::string bad;
         if (isJson && i % 2 == 0)
-            bad = damage.json(Damage::Json::parse(text)).dump();
+            bad = damage.json(Damage::Json::parse(text), Damage::Json::parse(good[damage.pick(good.size())])).dump();
         else if (i % 16 == 1)
             bad = damage.bytes(400);
         else
