@@ -22,6 +22,9 @@ struct Block {
     std::vector<const char*> variable; // that the parameters are written to
 };
 
+/// In the names that CTest lists.
+void PrintTo(const Block& block, std::ostream* out) { *out << block.name; }
+
 const char* const kCascade =
     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.8, tTn := T#600ms, tTd := T#60ms, rMaxLim := 1000.0, rMinLim "
     ":= -1000.0); outer : stPIPIDInLoop := (tCyclTime := T#10ms, rKp := 0.5, tTn := T#4s, rMaxLim := 100.0, rMinLim "
