@@ -13,7 +13,7 @@ namespace {
 
 // The thread sanitizer does not see each of the 32 looks at a block, which were most of the time of its tests;
 // compareBlocks shows it some instead.
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
 #define PLC_NOT_INSTRUMENTED __attribute__((no_sanitize("thread")))
 #else
 #define PLC_NOT_INSTRUMENTED
@@ -120,7 +120,7 @@ void SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t 
 
 void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte* image, uint16_t index) {
     const std::byte* before = m_shadow.get();
-#if defined(PLC_SANITIZED) && !defined(__SANITIZE_THREAD__)
+#if defined(PLC_SANITIZED) && !defined(PLC_THREAD_SANITIZED)
     // A sanitizer that checks each look at a block checks a long one nearly as fast, and most blocks have not changed.
     if (end > first + 1) {
         if (std::memcmp(before + size_t(first) * kBlock, image + size_t(first) * kBlock, (end - first) * kBlock) == 0)
@@ -132,7 +132,7 @@ void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte*
     }
 #endif
     for (uint32_t block = first; block < end; ++block) {
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
         // Other 8 bytes of each eighth block in each scan: in 64 scans, all that somebody else may write.
         if ((block + index) % 8 == 0)
             (void)*static_cast<const volatile std::byte*>(image + size_t(block) * kBlock + index / 8 % 8 * 8);

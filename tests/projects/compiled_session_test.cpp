@@ -26,7 +26,7 @@ driver::Built build(const std::string& text) {
     (void)once;
     driver::BuildInput input;
     input.files.push_back({"main.st", text});
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
     input.threadSanitizer = true; // the thread contract holds for generated code too
 #endif
     driver::Built built = driver::build(input);
@@ -142,7 +142,7 @@ TEST(TimeTravel, ResumingFromAnyScanGivesTheImagesOfARunThatWasNeverInterrupted)
     const unsigned seed = seedOfRun();
     SCOPED_TRACE("seed " + std::to_string(seed) + " (STEPWISE_SEED sets it)");
     Plant plant(seed, kPlant, "Main.input");
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
     expectSameAgain(plant, 2000, 10, seed); // twenty times slower
 #else
     expectSameAgain(plant, 10'000, 20, seed);
@@ -156,7 +156,7 @@ TEST(TimeTravel, HoldsForRandomProgramsTasksAndInputs) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run) + " (STEPWISE_SEED sets it)\n" +
                      program);
         Plant plant(seed + run, program, "input");
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
         expectSameAgain(plant, 500, 3, seed + run); // twenty times slower
 #else
         expectSameAgain(plant, run % 6 == 0 ? 10'000 : 1500, 6, seed + run);
@@ -354,7 +354,7 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
     EXPECT_EQ(status.state, PlcState::Running) << (status.fault ? status.fault->message.english() : "");
 }
 
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
 TEST(CompiledSession, ADeliberateRaceWithGeneratedCodeIsReported) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const auto race = [] {

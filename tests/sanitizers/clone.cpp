@@ -1,4 +1,4 @@
-// The thread sanitizer of GCC 12 takes every clone() for a fork: in the child it takes back what it counted before. A
+// The thread sanitizer takes every clone() for a fork: in the child it takes back what it counted before. A
 // process that QProcess starts shares the memory of its parent until it is another program (CLONE_VM | CLONE_VFORK), so
 // that is taken back twice, and from then on no lock of the calling thread is seen: each of them a race that is none.
 // Programs with this file call the C library itself. (A child with memory of its own comes from fork().)

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
 namespace {
 std::atomic<int> g_reports = 0;
 }
@@ -19,7 +19,7 @@ const char* __tsan_default_options() { return "exitcode=0:halt_on_error=0"; } //
 
 namespace plc::test {
 
-#ifdef __SANITIZE_THREAD__
+#ifdef PLC_THREAD_SANITIZED
 namespace {
 /// Two threads add to a variable of one image, or each to one of its own.
 int reportsOf(bool share) {
