@@ -35,7 +35,7 @@ std::vector<LongTest> longTests() {
     std::vector<LongTest> out;
     for (const LongScan& scan : longScans()) out.push_back({scan.name, scan.text, "RUN 1000 SCANS;\n", false});
     const std::string idle = "PROGRAM Main\nVAR a : INT; END_VAR\na := a + 1;\nEND_PROGRAM\n";
-    out.push_back({"FOR", idle, "FOR i := 1 TO 2000000000 DO\nEND_FOR\n"});
+    out.push_back({"FOR", idle, "FOR i := 1 TO 9000000000000000000 DO\nEND_FOR\n"});
     out.push_back({"WHILE", idle, "WHILE i < 1 DO\nEND_WHILE\n"});
     out.push_back({"RUN", idle, "RUN T#100d;\n"});
     return out;
@@ -47,7 +47,7 @@ TEST(Cancelling, EndsATestAtOnceInTheMiddleOfWhateverItDoes) {
         projects::Project project;
         project.sources.push_back({"main.st", kind.program});
         project.tests.push_back({"tests.st", "TEST 'first'\nASSERT TRUE;\nEND_TEST\nTEST 'long'\nVAR\n    i : "
-                                             "DINT;\nEND_VAR\n" +
+                                             "LINT;\nEND_VAR\n" +
                                                  kind.statements + "END_TEST\n"});
         Progress work;
         Options options;
