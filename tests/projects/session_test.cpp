@@ -171,12 +171,20 @@ TEST(Session, ForcesRefusalsAndEventsCanBeSeen) {
     EXPECT_EQ(refusals.front(), "x: x is forced; release the force before writing");
     session.unforceAll();
     ASSERT_TRUE(eventually([&] { return session.forces().empty(); }));
-    ASSERT_TRUE(eventually([&] { return session.eventsSince(0).size() >= 3; }));
-    const auto events = session.eventsSince(0);
+    const auto asked = [](const controller::Event& event) {
+        return event.kind != controller::EventKind::SkippedScans; // of a busy machine
+    };
+    std::vector<controller::Event> events;
+    ASSERT_TRUE(eventually([&] {
+        events = session.eventsSince(0);
+        return std::count_if(events.begin(), events.end(), asked) >= 3;
+    }));
+    EXPECT_EQ(session.eventsSince(events.size() - 1).at(0).kind, events.back().kind);
+    std::erase_if(events, std::not_fn(asked));
     EXPECT_EQ(events[0].kind, controller::EventKind::Started);
     EXPECT_EQ(events[1].kind, controller::EventKind::Force);
     EXPECT_EQ(events[1].text.english(), "x := 77");
-    EXPECT_EQ(session.eventsSince(events.size() - 1).size(), 1u);
+    EXPECT_EQ(events[2].kind, controller::EventKind::Release);
 }
 
 TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
