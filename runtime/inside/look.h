@@ -12,6 +12,7 @@
 #pragma once
 #include "runtime/compiler/tree/tree.h"
 #include "runtime/image/watch.h"
+#include "runtime/inside/plain_list.h"
 #include "runtime/inside/rerun.h"
 
 #include <mutex>
@@ -131,8 +132,8 @@ private:
     Rerun m_rerun;
     const tree::Program* m_tree = nullptr;
     std::shared_ptr<const image::Code> m_code;
-    std::vector<Event> m_events;
-    std::vector<Activation> m_activations;
+    PlainList<Event> m_events;
+    PlainList<Activation> m_activations;
     std::vector<std::vector<std::byte>> m_copies;
     struct PassOf {
         const tree::Stmt* loop;
@@ -140,7 +141,7 @@ private:
         uint32_t around;    // the next outer one; kNone: none
         SourceRange extent; // of the loop with its body
     };
-    std::vector<PassOf> m_passes;
+    PlainList<PassOf> m_passes;
     uint64_t m_leftOut = 0;
     bool m_isCut = false;
     mutable std::once_flag m_indexed;

@@ -169,20 +169,18 @@ TEST_F(RunCommand, CtrlCEndsALookIntoALongScan) {
                          "PROGRAM Main WITH T : Main;\nEND_RESOURCE\nEND_CONFIGURATION\n");
     const std::string recording = path("long.rec");
     ASSERT_EQ(run({path("long.st"), "--for", "20ms", "--record", recording}), 0) << err;
-    // The list of what happened may just be moving to a larger place.
-    const double atOnce = kAtOnceSeconds + secondsForNewMemory(480'000'000);
     for (const std::vector<std::string>& line : {std::vector<std::string>{"replay", recording, "--inside", "1"},
                                                  {"replay", recording, "--writers", "Main.a"},
                                                  {"why", recording, "Main.a"},
                                                  {"why", recording, "Main.a > 5", "--not"}}) {
         const auto interrupted = [&] {
-            std::thread presser([atOnce] {
+            std::thread presser([] {
                 eventually(catchesInterrupts);
                 // a duration: that the look has begun cannot be seen from outside
                 std::this_thread::sleep_for(std::chrono::milliseconds(300));
                 const double pressed = processorSeconds();
                 ::kill(::getpid(), SIGINT);
-                eventually([&] { return processorSeconds() - pressed >= atOnce; });
+                eventually([&] { return processorSeconds() - pressed >= kAtOnceSeconds; });
                 std::_Exit(99);
             });
             const int code = command(line);
