@@ -21,6 +21,9 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include <functional>
+#include <utility>
+
 namespace plc::app {
 
 namespace {
@@ -56,7 +59,8 @@ QString summaryOf(const QString& folder) {
 /// A card: picture, name, one line about it.
 class CardDelegate : public QStyledItemDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    CardDelegate(std::function<void(int row)> wantPicture, QObject* parent)
+        : QStyledItemDelegate(parent), m_wantPicture(std::move(wantPicture)) {}
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
         return cardSize(option.fontMetrics) + QSize(14, 14);
     }
@@ -71,9 +75,12 @@ public:
         painter->fillPath(shape, hot ? c.hover : c.raised);
         painter->setClipPath(shape);
         const QRectF pictureArea(card.left(), card.top(), card.width(), kPictureHeight);
-        const QPixmap picture = index.data(Qt::UserRole + 1).value<QPixmap>();
+        const QVariant known = index.data(StartPage::kPictureRole);
+        const QPixmap picture = known.value<QPixmap>();
         painter->fillRect(pictureArea, c.alternate);
-        if (!picture.isNull()) {
+        if (!known.isValid()) {
+            m_wantPicture(index.row());
+        } else if (!picture.isNull()) {
             const QSizeF scaled = QSizeF(picture.size()).scaled(pictureArea.size(), Qt::KeepAspectRatioByExpanding);
             const QRectF target(pictureArea.center().x() - scaled.width() / 2, pictureArea.top(), scaled.width(),
                                 scaled.height());
@@ -104,6 +111,9 @@ public:
         painter->drawPath(shape);
         painter->restore();
     }
+
+private:
+    std::function<void(int row)> m_wantPicture;
 };
 
 QLabel* heading(const QString& text, QWidget* parent) {
@@ -146,7 +156,8 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     m_examples->setMovement(QListView::Static);
     m_examples->setMouseTracking(true);
     m_examples->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_examples->setItemDelegate(new CardDelegate(m_examples));
+    connect(&m_reading, &QTimer::timeout, this, &StartPage::readNextPicture);
+    m_examples->setItemDelegate(new CardDelegate([this](int row) { wantPicture(row); }, m_examples));
     m_examples->setAccessibleName(tr("Examples"));
     for (QListWidget* list : {m_recent, m_examples}) {
         list->viewport()->setAutoFillBackground(false);
@@ -239,21 +250,32 @@ QString StartPage::whyNoExamples() {
         .arg(places.join('\n'));
 }
 
-/// Read once, and again when its file is another one: all of them together take longer than closing a project may.
+/// Read once, and again when its file is another one.
 QPixmap StartPage::pictureOf(const QString& folder) {
     for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"}) {
         const QFileInfo file(folder + name);
         if (!file.exists()) continue;
         Picture& kept = m_pictures[file.filePath()];
         if (kept.changed != file.lastModified() || kept.bytes != file.size()) {
-            QPixmap whole(file.filePath());
+            QImage whole(file.filePath());
             if (!whole.isNull())
                 whole = whole.scaledToWidth(2 * kCardWidth, Qt::SmoothTransformation); // lines stay lines
-            kept = {file.lastModified(), file.size(), whole};
+            kept = {file.lastModified(), file.size(), QPixmap::fromImage(std::move(whole))};
         }
         if (!kept.picture.isNull()) return kept.picture;
     }
     return {};
+}
+
+void StartPage::wantPicture(int row) {
+    if (!m_wanted.contains(row)) m_wanted << row;
+    m_reading.start();
+}
+
+void StartPage::readNextPicture() {
+    if (m_wanted.isEmpty()) return m_reading.stop();
+    if (QListWidgetItem* item = m_examples->item(m_wanted.takeFirst()))
+        item->setData(kPictureRole, pictureOf(item->data(Qt::UserRole).toString()));
 }
 
 void StartPage::reload() {
@@ -266,12 +288,12 @@ void StartPage::reload() {
         item->setData(Qt::UserRole, folder);
     }
     m_examples->clear();
+    m_wanted.clear();
     const QStringList projects = examplesInstalled();
     for (const QString& project : projects) {
         const QString summary = summaryOf(project);
         auto* item = new QListWidgetItem(exampleTitle(titleOf(project)), m_examples);
         item->setData(Qt::UserRole, project);
-        item->setData(Qt::UserRole + 1, pictureOf(project));
         item->setData(Qt::UserRole + 2, summary);
         item->setToolTip(summary);
     }

@@ -1,10 +1,11 @@
-// What the window shows without a project: recent projects and the shipped examples, a picture each. Owned by the main
-// window; GUI thread.
+// What the window shows without a project: recent projects and the shipped examples, a picture each. A picture is read
+// when its card is first seen, one in each turn of the event loop. Owned by the main window; GUI thread.
 #pragma once
 #include <QDateTime>
 #include <QHash>
 #include <QListWidget>
 #include <QPixmap>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -25,6 +26,8 @@ public:
     /// Where they were looked for in vain, and what to do.
     [[nodiscard]] static QString whyNoExamples();
     [[nodiscard]] QListWidget& examples() { return *m_examples; }
+    /// Of an item of examples(): a QPixmap, null where the example has none; absent until its card has been seen.
+    static constexpr int kPictureRole = Qt::UserRole + 1;
 
 signals:
     void projectRequested(const QString& folder);
@@ -41,9 +44,13 @@ private:
         QPixmap picture;
     };
     QPixmap pictureOf(const QString& folder);
+    void wantPicture(int row);
+    void readNextPicture();
 
     Settings& m_settings;
     QHash<QString, Picture> m_pictures; // by file
+    QList<int> m_wanted;                // rows of cards that were seen without their picture
+    QTimer m_reading;
     QListWidget* m_recent;
     QListWidget* m_examples;
     QLabel* m_examplesHeading;

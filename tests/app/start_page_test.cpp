@@ -7,6 +7,7 @@
 #include "app/start/tour.h"
 #include "hmi/player/panel_player.h"
 #include "tests/support/paths.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QApplication>
@@ -64,15 +65,45 @@ TEST(StartPageTest, SeesTraceAndPanelAndIsToldWhatToPress) {
 TEST(StartPageTest, FindsAPictureOfEveryExampleOnTheStartPage) {
     Settings settings;
     StartPage page(settings);
+    page.resize(1200, 8000); // room for every card
+    page.show();
+    const QListWidgetItem* last = page.examples().item(page.examples().count() - 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last->data(StartPage::kPictureRole).isValid(); }, 60'000));
     const QDir folder(StartPage::examplesFolder());
     EXPECT_EQ(page.examples().count(), folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size());
     for (int row = 0; row < page.examples().count(); ++row) {
         const QListWidgetItem* item = page.examples().item(row);
         const QString project = item->data(Qt::UserRole).toString();
         EXPECT_TRUE(QFile::exists(project + "/docs/panel.png")) << project.toStdString();
-        EXPECT_FALSE(item->data(Qt::UserRole + 1).value<QPixmap>().isNull()) << project.toStdString();
+        EXPECT_FALSE(item->data(StartPage::kPictureRole).value<QPixmap>().isNull()) << project.toStdString();
         EXPECT_FALSE(item->data(Qt::UserRole + 2).toString().isEmpty()) << project.toStdString();
     }
+}
+
+int picturesOf(StartPage& page) {
+    int count = 0;
+    for (int row = 0; row < page.examples().count(); ++row)
+        count += page.examples().item(row)->data(StartPage::kPictureRole).isValid() ? 1 : 0;
+    return count;
+}
+
+TEST(StartPageTest, ReadsOnlyThePicturesThatAreSeen) {
+    Settings settings;
+    StartPage page(settings);
+    page.resize(1200, 500);
+    settle();
+    EXPECT_EQ(picturesOf(page), 0) << "nobody sees the page";
+    page.show();
+    QListWidget& examples = page.examples();
+    const auto has = [&](int row) { return examples.item(row)->data(StartPage::kPictureRole).isValid(); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, 60'000));
+    settle();
+    EXPECT_LT(picturesOf(page), examples.count() / 2);
+    examples.scrollToBottom();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return has(examples.count() - 1); }, 60'000)) << "those that scroll into view";
+    page.reload(); // the list is another one then
+    examples.scrollToTop();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, 60'000));
 }
 
 /// STEPWISE_EXAMPLES as long as this lives.
