@@ -431,9 +431,9 @@ EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_co
 /// File and line of a fault or a halt; of older ones nobody knows it any more.
 QString EventLog::placeOf(const controller::Event& event) const {
     using controller::EventKind;
-    const session::Status& status = m_control.status();
     std::optional<RunControl::TextPlace> place;
     if (event.kind == EventKind::Fault) {
+        const session::Status status = m_control.session()->status(); // the window's own may be older than the event
         const auto& fault = status.fault ? status.fault : status.simulationFault;
         if (fault) place = m_control.placeInText(fault->range);
     } else if (event.kind == EventKind::Breakpoint) {

@@ -418,18 +418,21 @@ std::vector<Json> Door::due() {
         out.push_back({{"event", "program"}, {"version", version}});
     }
     const std::vector<controller::Event> events = m_session.eventsSince(m_events);
-    constexpr size_t kMostEvents = 200;
-    const size_t first = events.size() > kMostEvents ? events.size() - kMostEvents : 0;
-    for (size_t i = first; i < events.size(); ++i)
-        out.push_back({{"event", "happened"}, {"what", eventJson(events[i])}});
     m_events += events.size();
-    if (Clock::now() - m_stateAt < std::chrono::milliseconds(100) && status.halts == m_haltSeen) return out;
-    m_stateAt = Clock::now();
-    Json state{{"event", "state"}, {"state", stateJson(m_session)}};
-    if (std::string text = state.dump(-1, ' ', false, Json::error_handler_t::replace); text != m_stateSent) {
-        m_stateSent = std::move(text);
-        out.push_back(std::move(state));
+    const bool hasFault = std::ranges::any_of(
+        events, [](const controller::Event& event) { return event.kind == controller::EventKind::Fault; });
+    // In front of the events: the state says where a fault is.
+    if (hasFault || status.halts != m_haltSeen || Clock::now() - m_stateAt >= std::chrono::milliseconds(100)) {
+        m_stateAt = Clock::now();
+        Json state{{"event", "state"}, {"state", stateJson(m_session)}};
+        if (std::string text = state.dump(-1, ' ', false, Json::error_handler_t::replace); text != m_stateSent) {
+            m_stateSent = std::move(text);
+            out.push_back(std::move(state));
+        }
     }
+    constexpr size_t kMostEvents = 200;
+    for (size_t i = events.size() > kMostEvents ? events.size() - kMostEvents : 0; i < events.size(); ++i)
+        out.push_back({{"event", "happened"}, {"what", eventJson(events[i])}});
     return out;
 }
 

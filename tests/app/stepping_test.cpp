@@ -4,6 +4,7 @@
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/eventually.h"
 #include "tests/support/settle.h"
 
 #include <QAction>
@@ -387,6 +388,18 @@ TEST_F(SteppingTest, AFaultTakesTheEditorToItsLineAndTheLogSaysWhere) {
     (void)window->control().write("Main.divisor", "1");
     window->action("run.resetCold")->trigger();
     EXPECT_TRUE(waitFor([&] { return editor().markerFindNext(0, 1U << 9) < 0; })) << "and no more";
+}
+
+TEST_F(SteppingTest, TheLogSaysWhereAFaultIsThatTheWindowHasNotSeenYet) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 2; }));
+    (void)window->control().write("Main.divisor", "0");
+    const session::Session& session = *window->control().session();
+    ASSERT_TRUE(eventually([&] { return session.status().fault.has_value(); })); // the window does nothing meanwhile
+    ASSERT_FALSE(window->control().status().fault);
+    emit window->control().refreshed(); // as where the fault comes while the window looks
+    const QString place = QString("src/main.st:%1").arg(lineOf("counter := counter / divisor"));
+    EXPECT_TRUE(window->log().shownText().contains(place)) << window->log().shownText().toStdString();
 }
 
 TEST_F(SteppingTest, TheLogTellsStepsFromBreakpointsAndStaysAtItsEnd) {
