@@ -205,14 +205,34 @@ TEST_F(DoorTest, TheMirrorKnowsWhatActedOnEachScan) {
         ASSERT_TRUE(fedUntil([&] { return mirror->history().statistics().end >= end; }));
     };
     more(20);
-    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "9"}})}}));
-    EXPECT_TRUE(isGood({{"do", "force"}, {"values", pairs({{"Main.text", "'held'"}})}}));
-    EXPECT_TRUE(isGood({{"do", "unforce"}, {"path", "Main.lamp"}}));
-    more(20);
-    EXPECT_TRUE(isGood({{"do", "stop"}}));
-    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.n", "5"}})}}));
-    EXPECT_TRUE(isGood({{"do", "start"}}));
-    more(20);
+    const auto seen = [&] {
+        std::set<image::OutsideKind> kinds;
+        std::set<std::string> origins;
+        mirror->history().forEachJournal(0, mirror->history().statistics().end,
+                                         [&](history::Position, const history::JournalEntry& entry) {
+                                             for (const image::OutsideNote& note : entry.notes)
+                                                 origins.insert(note.origin), kinds.insert(note.kind);
+                                             return true;
+                                         });
+        EXPECT_TRUE(origins.empty() || origins.contains("test")) << "who it was";
+        return kinds;
+    };
+    using enum image::OutsideKind;
+    // Where a machine takes a second until the mirror reads, what acted meanwhile is left out: done again then.
+    for (int tries = 0; tries < 20 && !std::ranges::includes(seen(), std::set{Write, Force, Release, Stopped, Started});
+         ++tries) {
+        EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "9"}})}}));
+        EXPECT_TRUE(isGood({{"do", "force"}, {"values", pairs({{"Main.lamp", "TRUE"}})}}));
+        EXPECT_TRUE(isGood({{"do", "force"}, {"values", pairs({{"Main.text", "'held'"}})}}));
+        EXPECT_TRUE(isGood({{"do", "unforce"}, {"path", "Main.lamp"}}));
+        more(20);
+        EXPECT_TRUE(isGood({{"do", "stop"}}));
+        EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.n", "5"}})}}));
+        EXPECT_TRUE(isGood({{"do", "start"}}));
+        more(20);
+    }
+    for (const auto kind : {Write, Force, Release, Stopped, Started})
+        EXPECT_TRUE(seen().contains(kind)) << static_cast<int>(kind);
     // Somebody reads too slowly: scans are left out, with what acted on them.
     const uint64_t late = plant->status().scans + 400;
     EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "11"}})}}));
@@ -223,17 +243,6 @@ TEST_F(DoorTest, TheMirrorKnowsWhatActedOnEachScan) {
     EXPECT_GT(mirror->status().scans, before + 2);
     more(20);
     expectTheSameJournal(mirror->history(), plant->history());
-    const auto& notes = mirror->history();
-    std::set<std::string> origins;
-    std::multiset<image::OutsideKind> kinds;
-    notes.forEachJournal(0, notes.statistics().end, [&](history::Position, const history::JournalEntry& entry) {
-        for (const image::OutsideNote& note : entry.notes) origins.insert(note.origin), kinds.insert(note.kind);
-        return true;
-    });
-    EXPECT_TRUE(origins.contains("test")) << "who it was";
-    for (const auto kind : {image::OutsideKind::Write, image::OutsideKind::Force, image::OutsideKind::Release,
-                            image::OutsideKind::Stopped, image::OutsideKind::Started})
-        EXPECT_TRUE(kinds.contains(kind)) << static_cast<int>(kind);
 }
 
 TEST_F(DoorTest, TheMirrorKnowsWhatActedAtABreakpoint) {
