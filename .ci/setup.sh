@@ -37,7 +37,8 @@ build() { # preset targets…
     local preset=$1
     shift
     say "build: preset $preset"
-    if ! ninja -C "build/$preset" "$@" >"build/build-$preset.log" 2>&1; then
+    # The compiler's memory in large pages: a tenth of its time where a virtual machine's host has a hand in every page.
+    if ! GLIBC_TUNABLES=glibc.malloc.hugetlb=1 ninja -C "build/$preset" "$@" >"build/build-$preset.log" 2>&1; then
         grep -E 'error|FAILED|undefined' -A4 "build/build-$preset.log" | head -60 >&2
         echo "The build failed; see build/build-$preset.log" >&2
         exit 1
