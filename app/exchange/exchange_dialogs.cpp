@@ -6,6 +6,7 @@
 #include "projects/exchange/import.h"
 #include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/messages.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -220,12 +221,14 @@ void ImportDialog::preview(const QString& path) {
     m_source->setText(QDir::toNativeSeparators(path));
     std::optional<Result<std::vector<exchange::Imported>>> imported;
     const auto encoding = projects::encodingNamed(m_encoding->currentData().toString().toStdString());
-    kit::LongTask::runAside(tr("Reading %1…").arg(QFileInfo(path).fileName()), this, [&](Progress& progress) {
+    const QString label = tr("Reading %1…").arg(QFileInfo(path).fileName());
+    const bool isWanted = kit::LongTask::runAside(label, this, [&](Progress& progress) {
         exchange::ImportOptions options;
         options.progress = &progress;
         options.codePage = encoding;
         imported = exchange::importProjects(path.toStdString(), options);
     });
+    if (!isWanted) return complain({errors::Cancelled(), ""}); // even where all had been read by then
     if (!*imported) return complain(imported->error());
     m_projects = std::move(**imported);
     const std::string name = m_projects.size() == 1 ? m_projects.front().name : QDir(path).dirName().toStdString();
