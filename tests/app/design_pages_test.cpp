@@ -38,8 +38,8 @@ protected:
         StudioTest::TearDown();
     }
     /// The next question is answered with that button, when there comes one.
-    static void answerNext(QMessageBox::StandardButton button) {
-        QTimer::singleShot(150, qApp, [button] {
+    void answerNext(QMessageBox::StandardButton button) {
+        QTimer::singleShot(150, window.get(), [button] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
             if (QAbstractButton* found = box->button(button))

@@ -367,10 +367,10 @@ TEST_F(DiskChangeTest, TheLineOfAFaultAndTheLineOfAnErrorAreColoured) {
 
 TEST_F(DiskChangeTest, AComparisonIsOfferedAndItsTextGoesOn) {
     typeAtEnd("done := FALSE;");
-    QTimer::singleShot(300, qApp, [] {
+    QTimer::singleShot(300, window.get(), [this] {
         auto* box = QApplication::activeModalWidget();
         ASSERT_NE(box, nullptr);
-        QTimer::singleShot(300, qApp, [] {
+        QTimer::singleShot(300, window.get(), [] {
             auto* merge = qobject_cast<MergeDialog*>(QApplication::activeModalWidget());
             ASSERT_NE(merge, nullptr);
             ASSERT_EQ(merge->hunks().size(), 2U);

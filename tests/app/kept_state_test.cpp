@@ -63,7 +63,7 @@ TEST_F(KeptStateTest, AProjectThatCannotBeOpenedLeavesTheOneThatIsOpenAndRuns) {
 }
 
 TEST_F(KeptStateTest, ShortcutsAreSetInTheSettingsAndStay) {
-    QTimer::singleShot(200, qApp, [&] {
+    QTimer::singleShot(200, window.get(), [&] {
         auto* dialog = qobject_cast<SettingsDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
         auto* table = dialog->findChild<QTableWidget*>();

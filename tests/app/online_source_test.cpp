@@ -82,8 +82,8 @@ protected:
         QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree.viewport()->mapToGlobal(at));
         QApplication::sendEvent(tree.viewport(), &event);
     }
-    static void typeIntoNextDialog(const QString& text) {
-        QTimer::singleShot(100, qApp, [text] {
+    void typeIntoNextDialog(const QString& text) {
+        QTimer::singleShot(100, window.get(), [text] {
             auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
             ASSERT_NE(dialog, nullptr);
             dialog->findChild<QLineEdit*>()->setText(text);
@@ -147,7 +147,7 @@ TEST_F(OnlineSourceTest, TheTreeChoosesTheInstance) {
         ASSERT_NE(item(name), nullptr) << name.toStdString();
         tree.scrollToItem(item(name));
         bool chosen = false;
-        QTimer::singleShot(200, qApp, [&] {
+        QTimer::singleShot(200, window.get(), [&] {
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             ASSERT_NE(menu, nullptr);
             for (QAction* each : menu->actions()) {

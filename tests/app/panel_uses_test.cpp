@@ -88,7 +88,7 @@ TEST_F(MemberRenameTest, PanelsAndFaceplatesFollowAVariableOfABlock) {
     analysed();
     editor().goTo(static_cast<uint32_t>(editor().utf8().find("flow :")));
     QStringList shown;
-    QTimer::singleShot(150, qApp, [&] {
+    QTimer::singleShot(150, window.get(), [&] {
         auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
         shown = placesOf(*dialog);
@@ -118,7 +118,7 @@ TEST_F(MemberRenameTest, WatchListsAndTheTraceFollowAndTheRunningProgramIsMentio
     editor().goTo(static_cast<uint32_t>(editor().utf8().find("flow :")));
     QString complaint;
     bool isMentioned = false;
-    QTimer::singleShot(150, qApp, [&] {
+    QTimer::singleShot(150, window.get(), [&] {
         auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
         for (QLabel* each : dialog->findChildren<QLabel*>())
@@ -153,7 +153,7 @@ TEST_F(PanelUsesTest, FindInAllFilesCoversPanels) {
 
 TEST_F(PanelUsesTest, ARenameShowsWhatItChangesFirst) {
     QStringList shown;
-    QTimer::singleShot(150, qApp, [&] {
+    QTimer::singleShot(150, window.get(), [&] {
         auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
         shown = placesOf(*dialog);

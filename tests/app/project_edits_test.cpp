@@ -47,8 +47,8 @@ protected:
     std::string text(const char* file) { return window->workspace().text(file); }
     StEditor& open(const char* file) { return window->tabs().openFile(file)->first(); }
     uint32_t place(const char* file, const char* what) { return static_cast<uint32_t>(text(file).find(what)); }
-    static void press(const QString& button) {
-        QTimer::singleShot(150, qApp, [button] {
+    void press(const QString& button) {
+        QTimer::singleShot(150, window.get(), [button] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
             for (QAbstractButton* each : box->buttons())
@@ -67,7 +67,7 @@ TEST_F(ProjectEditsTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
     const std::string motor = text("src/motor.st"), line = text("src/line.st"), test = text("tests/line.st");
     StEditor& here = open("src/motor.st"); // the others stay closed
     here.goTo(place("src/motor.st", "run : BOOL"));
-    QTimer::singleShot(150, qApp, [] {
+    QTimer::singleShot(150, window.get(), [] {
         if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
             dialog->findChild<QLineEdit*>()->setText("go");
             dialog->accept();
@@ -224,7 +224,7 @@ TEST_F(ProjectEditsTest, AnUnknownNameBecomesAnInputWhenWanted) {
     here.applyEdits({{{FileId(), at, at}, "level := 1.5;\n"}});
     ASSERT_TRUE(waitFor([&] { return !here.diagnosticsHere().empty(); }));
     here.goTo(at + 1);
-    QTimer::singleShot(200, qApp, [] {
+    QTimer::singleShot(200, window.get(), [] {
         if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
             QTest::keyClick(menu, Qt::Key_Down); // the second: an input
             QTest::keyClick(menu, Qt::Key_Return);
@@ -286,7 +286,7 @@ TEST_F(ProjectEditsTest, TheTreeIsArrangedByFileAndShowsWhatLibrariesHold) {
     EXPECT_EQ(item("Motor")->parent()->text(0), "motor.st");
     tree().setCurrentItem(item("motor.st"));
     tree().setFocus();
-    QTimer::singleShot(150, qApp, [] {
+    QTimer::singleShot(150, window.get(), [] {
         if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
             dialog->findChild<QLineEdit*>()->setText("drives");
             dialog->accept();

@@ -45,16 +45,16 @@ protected:
         tree().setCurrentItem(found);
         tree().setFocus();
     }
-    static void typeInto(const QString& text) {
-        QTimer::singleShot(150, qApp, [text] {
+    void typeInto(const QString& text) {
+        QTimer::singleShot(150, window.get(), [text] {
             if (auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) {
                 dialog->setTextValue(text);
                 dialog->accept();
             }
         });
     }
-    static void press(const QString& button) {
-        QTimer::singleShot(150, qApp, [button] {
+    void press(const QString& button) {
+        QTimer::singleShot(150, window.get(), [button] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
             for (QAbstractButton* each : box->buttons())

@@ -58,16 +58,16 @@ protected:
         const auto at = static_cast<uint32_t>(text(file).find(from));
         open(file).applyEdits({{{FileId(), at, at + static_cast<uint32_t>(from.size())}, to}});
     }
-    static void type(const QString& name) {
-        QTimer::singleShot(150, qApp, [name] {
+    void type(const QString& name) {
+        QTimer::singleShot(150, window.get(), [name] {
             if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
                 dialog->findChild<QLineEdit*>()->setText(name);
                 dialog->accept();
             }
         });
     }
-    static void press(const QString& button, QString* question = nullptr) {
-        QTimer::singleShot(150, qApp, [button, question] {
+    void press(const QString& button, QString* question = nullptr) {
+        QTimer::singleShot(150, window.get(), [button, question] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
             if (question) *question = box->text();

@@ -58,7 +58,7 @@ TEST_F(StudioTest, AltEnterDeclaresAnUnknownName) {
     analysed();
     ASSERT_TRUE(waitFor([&] { return !editor().diagnosticsHere().empty(); }));
     editor().goTo(editor().diagnosticsHere().front().range.begin + 1);
-    QTimer::singleShot(150, qApp, [] { // of the ways to declare it the first: a local
+    QTimer::singleShot(150, window.get(), [] { // of the ways to declare it the first: a local
         if (QWidget* menu = QApplication::activePopupWidget()) QTest::keyClick(menu, Qt::Key_Return);
     });
     QTest::keyClick(editor().viewport(), Qt::Key_Return, Qt::AltModifier);

@@ -18,8 +18,8 @@ class TypedTextTest : public StudioTest {
 protected:
     [[nodiscard]] qsizetype count(const char* word) { return QString::fromStdString(editor().utf8()).count(word); }
     /// Types the name into the dialog that opens next and accepts it.
-    static void answerWithName(const QString& name) {
-        QTimer::singleShot(100, qApp, [name] {
+    void answerWithName(const QString& name) {
+        QTimer::singleShot(100, window.get(), [name] {
             QWidget* dialog = QApplication::activeModalWidget();
             ASSERT_NE(dialog, nullptr);
             auto* line = dialog->findChild<QLineEdit*>();

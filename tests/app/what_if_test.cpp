@@ -54,7 +54,7 @@ TEST_F(WhatIfTest, GoesOnFromAPastScanWithOtherValues) {
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     window->control().view(20);
-    QTimer::singleShot(50, qApp, [&] {
+    QTimer::singleShot(50, window.get(), [&] {
         auto* dialog = qobject_cast<WhatIfDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
         dialog->addVariable("Main.gain");
