@@ -222,13 +222,13 @@ void ImportDialog::preview(const QString& path) {
     std::optional<Result<std::vector<exchange::Imported>>> imported;
     const auto encoding = projects::encodingNamed(m_encoding->currentData().toString().toStdString());
     const QString label = tr("Reading %1…").arg(QFileInfo(path).fileName());
-    const bool isWanted = kit::LongTask::runAside(label, this, [&](Progress& progress) {
+    const bool isDone = kit::LongTask::runAside(label, this, [&](Progress& progress) {
         exchange::ImportOptions options;
         options.progress = &progress;
         options.codePage = encoding;
         imported = exchange::importProjects(path.toStdString(), options);
     });
-    if (!isWanted) return complain({errors::Cancelled(), ""}); // even where all had been read by then
+    if (!isDone) return complain({errors::Cancelled(), ""}); // even where all had been read by then
     if (!*imported) return complain(imported->error());
     m_projects = std::move(**imported);
     const std::string name = m_projects.size() == 1 ? m_projects.front().name : QDir(path).dirName().toStdString();

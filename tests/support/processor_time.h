@@ -12,10 +12,9 @@ inline double processorSeconds() {
 }
 
 /// "At once" for somebody who asks a program to stop: half a second, of which the scan itself may take 0.2 s. Code with
-/// sanitizers is slower, several threads work at the same time, and each byte of memory costs up to five; what is not
-/// left at all takes years.
+/// sanitizers is slower, and several threads work at the same time.
 #ifdef PLC_SANITIZED
-inline constexpr double kAtOnceSeconds = 15;
+inline constexpr double kAtOnceSeconds = 5;
 #else
 inline constexpr double kAtOnceSeconds = 0.5;
 #endif
