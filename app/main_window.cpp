@@ -425,7 +425,7 @@ void MainWindow::updateActions() {
     for (QAction* each : m_actions) {
         const QString id = each->objectName();
         const bool always = id.startsWith("help.") || id.startsWith("view.") || id == "file.new" || id == "file.open" ||
-                            id == "file.settings" || id == "file.quit";
+                            id == "file.import" || id == "file.settings" || id == "file.quit";
         each->setEnabled(open || always);
     }
     m_status->refresh();

@@ -80,6 +80,12 @@ TEST(StartPageTest, FindsAPictureOfEveryExampleOnTheStartPage) {
     }
 }
 
+TEST(StartPageTest, AForeignProjectIsImportedWithoutOneThatIsOpen) {
+    MainWindow window;
+    EXPECT_TRUE(window.action("file.import")->isEnabled());
+    EXPECT_FALSE(window.action("file.export")->isEnabled());
+}
+
 int picturesOf(StartPage& page) {
     int count = 0;
     for (int row = 0; row < page.examples().count(); ++row)
