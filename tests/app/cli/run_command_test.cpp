@@ -174,6 +174,7 @@ TEST_F(RunCommand, CtrlCEndsALookIntoALongScan) {
                                                  {"why", recording, "Main.a"},
                                                  {"why", recording, "Main.a > 5", "--not"}}) {
         const auto interrupted = [&] {
+            std::signal(SIGINT, SIG_DFL); // the run that was recorded has caught it
             std::thread presser([] {
                 eventually(catchesInterrupts);
                 // a duration: that the look has begun cannot be seen from outside
