@@ -56,6 +56,15 @@ QString summaryOf(const QString& folder) {
     return {};
 }
 
+/// A line that is as wide as its list and no wider: a long folder is elided instead of scrolled.
+class ElidingDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return {0, QStyledItemDelegate::sizeHint(option, index).height()};
+    }
+};
+
 /// A card: picture, name, one line about it.
 class CardDelegate : public QStyledItemDelegate {
 public:
@@ -148,6 +157,7 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     m_recent->setObjectName(QStringLiteral("recentProjects"));
     m_recent->setAccessibleName(tr("Recent projects"));
     m_recent->setTextElideMode(Qt::ElideMiddle);
+    m_recent->setItemDelegate(new ElidingDelegate(m_recent));
     m_recent->setSpacing(2);
     m_examples = new QListWidget(this);
     m_examples->setFrameShape(QFrame::NoFrame);

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -110,6 +111,28 @@ TEST(StartPageTest, ReadsOnlyThePicturesThatAreSeen) {
     page.reload(); // the list is another one then
     examples.scrollToTop();
     ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, 60'000));
+}
+
+TEST(StartPageTest, ALongFolderOfARecentProjectIsElided) {
+    QTemporaryDir folder;
+    const QString deep = folder.path() + "/" + QString(120, 'a') + "/" + QString(120, 'b');
+    ASSERT_TRUE(QDir().mkpath(deep));
+    QFile project(deep + "/project.json");
+    ASSERT_TRUE(project.open(QIODevice::WriteOnly));
+    project.write("{}");
+    project.close();
+    Settings settings;
+    settings.addRecent(deep);
+    StartPage page(settings);
+    page.resize(900, 600);
+    page.show();
+    settle();
+    auto* recent = page.findChild<QListWidget*>("recentProjects");
+    ASSERT_TRUE(recent);
+    ASSERT_GT(recent->count(), 0);
+    EXPECT_TRUE(recent->item(0)->text().contains(QDir::toNativeSeparators(deep)));
+    EXPECT_FALSE(recent->horizontalScrollBar()->isVisible());
+    EXPECT_LE(recent->visualItemRect(recent->item(0)).right(), recent->viewport()->width());
 }
 
 /// STEPWISE_EXAMPLES as long as this lives.
