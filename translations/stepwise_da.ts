@@ -5785,8 +5785,12 @@
         <translation>Programmet har ingen regulatorblok; angiv signalerne med --input og --output</translation>
     </message>
     <message>
-        <source>There is no single loop {0}; the program has {1}</source>
-        <translation>Der er ikke én sløjfe {0}; programmet har {1}</translation>
+        <source>There is no loop {0}; the program has {1}</source>
+        <translation>Der er ingen sløjfe {0}; programmet har {1}</translation>
+    </message>
+    <message>
+        <source>{0} is the name of several loops; give the whole name of one: {1}</source>
+        <translation>{0} er navnet på flere sløjfer; angiv hele navnet på en af dem: {1}</translation>
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>

@@ -5785,8 +5785,12 @@
         <translation>Das Programm hat keinen Reglerbaustein; geben Sie die Signale mit --input und --output an</translation>
     </message>
     <message>
-        <source>There is no single loop {0}; the program has {1}</source>
-        <translation>Es gibt keinen eindeutigen Regelkreis {0}; das Programm hat {1}</translation>
+        <source>There is no loop {0}; the program has {1}</source>
+        <translation>Es gibt keinen Regelkreis {0}; das Programm hat {1}</translation>
+    </message>
+    <message>
+        <source>{0} is the name of several loops; give the whole name of one: {1}</source>
+        <translation>{0} heißen mehrere Regelkreise; geben Sie den vollen Namen eines von ihnen an: {1}</translation>
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>

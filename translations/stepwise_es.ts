@@ -5785,8 +5785,12 @@
         <translation>El programa no tiene ningún bloque regulador; indique las señales con --input y --output</translation>
     </message>
     <message>
-        <source>There is no single loop {0}; the program has {1}</source>
-        <translation>No hay un único lazo {0}; el programa tiene {1}</translation>
+        <source>There is no loop {0}; the program has {1}</source>
+        <translation>No hay ningún lazo {0}; el programa tiene {1}</translation>
+    </message>
+    <message>
+        <source>{0} is the name of several loops; give the whole name of one: {1}</source>
+        <translation>Varios lazos se llaman {0}; indique el nombre completo de uno: {1}</translation>
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>

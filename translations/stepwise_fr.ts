@@ -5785,8 +5785,12 @@
         <translation>Le programme n’a pas de bloc régulateur&#x202f;; indiquez les signaux avec --input et --output</translation>
     </message>
     <message>
-        <source>There is no single loop {0}; the program has {1}</source>
-        <translation>Il n’y a pas de boucle unique {0}&#x202f;; le programme a {1}</translation>
+        <source>There is no loop {0}; the program has {1}</source>
+        <translation>Il n’y a pas de boucle {0}&#x202f;; le programme a {1}</translation>
+    </message>
+    <message>
+        <source>{0} is the name of several loops; give the whole name of one: {1}</source>
+        <translation>Plusieurs boucles s’appellent {0}&#x202f;; indiquez le nom complet de l’une d’elles&#xa0;: {1}</translation>
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>

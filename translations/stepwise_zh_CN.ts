@@ -5784,8 +5784,12 @@
         <translation>程序没有控制器块；请用 --input 和 --output 指定信号</translation>
     </message>
     <message>
-        <source>There is no single loop {0}; the program has {1}</source>
-        <translation>没有唯一的回路 {0}；程序有 {1}</translation>
+        <source>There is no loop {0}; the program has {1}</source>
+        <translation>没有回路 {0}；程序有 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is the name of several loops; give the whole name of one: {1}</source>
+        <translation>有多个回路名为 {0}；请给出其中一个的完整名称：{1}</translation>
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>

@@ -145,7 +145,11 @@ Result<Loop> findLoop(const image::CompiledProgram& program, const std::string& 
     if (byInstance.size() == 1) return *byInstance.front();
     if (byInstance.empty() && byName.size() == 1) return *byName.front();
     if (all.empty()) return Error{errors::NoLoops(), name};
-    return Error{errors::NoLoop(name, names), ""};
+    const std::vector<const Loop*>& several = byInstance.empty() ? byName : byInstance;
+    if (several.empty()) return Error{errors::NoLoop(name, names), ""};
+    names.clear();
+    for (const Loop* loop : several) names.push_back(loop->name);
+    return Error{errors::SeveralLoops(name, names), ""};
 }
 
 namespace {

@@ -67,10 +67,15 @@ TEST_F(Loops, AreFoundInProgramsStructuresAndArrays) {
 TEST_F(Loops, AreNamedInPart) {
     EXPECT_EQ(findLoop(*built.program, "PID")->name, "Main.pid"); // the whole last part, not that of the cascade
     EXPECT_EQ(findLoop(*built.program, "main.cascade.pi")->name, "Main.cascade.PI");
-    EXPECT_FALSE(findLoop(*built.program, "heater"));
+    const auto several = findLoop(*built.program, "heater");
+    ASSERT_FALSE(several);
+    EXPECT_NE(several.error().english().find("several"), std::string::npos) << several.error().english();
+    EXPECT_NE(several.error().english().find("zones[2].heater"), std::string::npos) << several.error().english();
+    EXPECT_EQ(several.error().english().find("Main.simple"), std::string::npos) << several.error().english();
     const auto none = findLoop(*built.program, "nothing");
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().english().find("Main.simple"), std::string::npos);
+    EXPECT_NE(none.error().english().find("There is no loop"), std::string::npos) << none.error().english();
+    EXPECT_NE(none.error().english().find("Main.simple"), std::string::npos) << none.error().english();
 }
 
 TEST_F(Loops, SignalsComeFromTheRecording) {
