@@ -89,6 +89,7 @@ bool Debuggee::standAt(const controller::FaultFrame& frame, std::span<const std:
 
 /// The scan that stands is finished first: only then is it recorded.
 Result<void> Debuggee::enterPast() {
+    if (m_session->status().state == PlcState::Stopped) return Error{errors::BeginOfRecording(), {}}; // not begun yet
     const std::vector<controller::FaultFrame> frames = m_session->haltFrames();
     const session::Snapshot halted = snapshot();
     const history::Position position = history().statistics().end;

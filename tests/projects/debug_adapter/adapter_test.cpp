@@ -119,6 +119,12 @@ TEST_F(DebugAdapter, StepsBackOverAThousandScans) {
     EXPECT_EQ(value("scans"), std::to_string(1200 - back + 1));
 }
 
+TEST_F(DebugAdapter, BeforeTheProgramHasBegunThereIsNothingBehind) {
+    launch(Json::array());
+    for (const char* back : {"stepBack", "reverseContinue"})
+        EXPECT_EQ(stopAfter(back).value("text", ""), "The recording begins here") << back;
+}
+
 TEST_F(DebugAdapter, GoesBackToABreakpointAndForwardIntoTheLiveScanAgain) {
     launch({{{"line", 23}, {"condition", "scans = " + std::to_string(repeats(1000))}}});
     stopAfter("configurationDone");
