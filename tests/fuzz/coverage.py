@@ -43,6 +43,7 @@ def reached_by(target: str, corpus: pathlib.Path) -> dict[tuple[str, str], tuple
         if not match:
             continue
         _, reached, edges, name, path, number = match.groups()
+        path = os.path.normpath(ROOT / "build/asan" / path)  # ccache makes paths relative to the build folder
         if path.startswith(f"{ROOT}/") and not path.startswith(f"{ROOT}/build/"):
             found[(path[len(f"{ROOT}/"):], number)] = (int(reached), int(edges), name)
     if not found:

@@ -14,19 +14,6 @@ namespace {
 
 using plc::testing::Damage;
 constexpr size_t kKinds = std::size(plc::fuzz::kInputs);
-constexpr int kDeepest = 100; // what writes JSON calls itself for each level
-
-/// Nothing where it is no JSON, or nested deeper than a file of ours ever is.
-std::optional<Damage::Json> jsonOf(const unsigned char* data, size_t size) {
-    bool tooDeep = false;
-    const auto look = [&tooDeep](int depth, Damage::Json::parse_event_t, const Damage::Json&) {
-        tooDeep = tooDeep || depth > kDeepest;
-        return !tooDeep;
-    };
-    Damage::Json json = Damage::Json::parse(data, data + size, look, false);
-    if (tooDeep || !json.is_structured()) return std::nullopt;
-    return json;
-}
 
 } // namespace
 
@@ -36,7 +23,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(unsigned char* data, size_t size, size
     static std::array<std::array<Damage::Json, 16>, kKinds> recent;
     Damage damage(seed);
     if (size == 0 || damage.pick(8) == 0) return LLVMFuzzerMutate(data, size, maxSize);
-    std::optional<Damage::Json> json = jsonOf(data + 1, size - 1);
+    std::optional<Damage::Json> json = Damage::readable({reinterpret_cast<const char*>(data) + 1, size - 1});
     if (!json) return LLVMFuzzerMutate(data, size, maxSize);
     auto& ofItsKind = recent[data[0] % kKinds];
     const Damage::Json& donor = ofItsKind[damage.pick(ofItsKind.size())];

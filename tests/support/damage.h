@@ -3,8 +3,10 @@
 #pragma once
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plc::testing {
@@ -13,6 +15,20 @@ class Damage {
 public:
     using Json = nlohmann::ordered_json;
     explicit Damage(unsigned seed) : m_dice(seed) {}
+
+    /// Nothing where it is no JSON, or nested deeper than a file or message ever is: what writes JSON calls itself for
+    /// each level.
+    static std::optional<Json> readable(std::string_view text) {
+        constexpr int kDeepest = 100;
+        bool tooDeep = false;
+        const auto look = [&tooDeep](int depth, Json::parse_event_t, const Json&) {
+            tooDeep = tooDeep || depth > kDeepest;
+            return !tooDeep;
+        };
+        Json json = Json::parse(text, look, false);
+        if (tooDeep || !json.is_structured()) return std::nullopt;
+        return json;
+    }
 
     size_t pick(size_t count) { return count == 0 ? 0 : m_dice() % count; }
 
