@@ -104,7 +104,8 @@ TEST_F(TestViewTest, ARunIsCancelledAtOnceInTheMiddleOfAScan) {
         const double since = processorSeconds();
         QTest::mouseClick(cancel, Qt::LeftButton);
         EXPECT_TRUE(waitFor([&] { return !cancel->isVisible(); })) << scan.name;
-        EXPECT_LT(processorSeconds() - since, kAtOnceSeconds) << scan.name;
+        const double took = processorSeconds() - since; // with what is given back of three images
+        EXPECT_LT(took, kAtOnceSeconds + secondsForNewMemory(360'000'000)) << scan.name;
         if (state(second) == "failed") { // the same, just before the click
             const QString why = item(second)->child(0)->text(0);
             EXPECT_TRUE(why.contains("units of work")) << scan.name << ": " << why.toStdString();
