@@ -89,7 +89,6 @@ std::vector<std::string> linesOf(const unsigned char* data, size_t size) {
 class Lent {
 public:
     [[nodiscard]] const std::string& any(Damage& damage) const { return m_lines[damage.pick(m_count)]; }
-    [[nodiscard]] bool isEmpty() const { return m_count == 0; }
     void keep(const std::string& line, Damage& damage) {
         const size_t at = m_count < m_lines.size() ? m_count++ : damage.pick(m_lines.size());
         m_lines[at] = line;
