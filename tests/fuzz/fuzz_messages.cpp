@@ -1,16 +1,12 @@
 // Messages from outside: what other editors send to the language server and the debug adapter. An input is a session
-// as in tests/projects/*/scripts: "> {…}" is sent, "? name" waits for an event, other lines are not read. Mostly a
-// message is changed as JSON, or a session as a list of messages: a change of bytes seldom leaves one that is read.
+// as in tests/projects/*/scripts: "> {…}" is sent, "? name" waits for an event.
 #include "projects/debug_adapter/adapter.h"
 #include "projects/language_server/server.h"
 #include "runtime/compiler/jit/jit.h"
-#include "tests/support/damage.h"
+#include "tests/fuzz/script_mutator.h"
 #include "tests/support/rpc_script.h"
 
-#include <array>
-#include <cstring>
 #include <optional>
-#include <sstream>
 #include <thread>
 
 namespace {
@@ -75,79 +71,14 @@ private:
         [this](const plc::protocol::Json& message) { m_seen = plc::protocol::toText(message); }};
 };
 
-bool isRead(std::string_view line) { return line.starts_with("> ") || line.starts_with("? "); }
-
-std::vector<std::string> linesOf(const unsigned char* data, size_t size) {
-    std::vector<std::string> out;
-    std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
-    for (std::string line; std::getline(text, line);)
-        if (isRead(line)) out.push_back(std::move(line));
-    return out;
-}
-
-/// Lines of sessions tried before, which others borrow.
-class Lent {
-public:
-    [[nodiscard]] const std::string& any(Damage& damage) const { return m_lines[damage.pick(m_count)]; }
-    void keep(const std::string& line, Damage& damage) {
-        const size_t at = m_count < m_lines.size() ? m_count++ : damage.pick(m_lines.size());
-        m_lines[at] = line;
-    }
-
-private:
-    std::array<std::string, 256> m_lines;
-    size_t m_count = 0;
-};
-
-std::string changedMessage(const std::string& line, const Lent& lent, Damage& damage) {
-    const auto message = Damage::readable(std::string_view(line).substr(2));
-    if (!line.starts_with("> ") || !message) return "> " + damage.text(line.substr(2));
-    const auto donor = Damage::readable(std::string_view(lent.any(damage)).substr(2));
-    return "> " + damage.json(*message, donor ? *donor : *message)
-                      .dump(-1, ' ', false, Damage::Json::error_handler_t::replace);
-}
-
 } // namespace
-
-extern "C" size_t LLVMFuzzerMutate(unsigned char* data, size_t size, size_t maxSize);
-
-extern "C" size_t LLVMFuzzerCustomMutator(unsigned char* data, size_t size, size_t maxSize, unsigned seed) {
-    static Lent lent;
-    Damage damage(seed);
-    std::vector<std::string> lines = linesOf(data, size);
-    if (lines.empty() || damage.pick(16) == 0) return LLVMFuzzerMutate(data, size, maxSize);
-    lent.keep(lines[damage.pick(lines.size())], damage);
-    const auto at = [&](size_t index) { return lines.begin() + static_cast<std::ptrdiff_t>(index); };
-    for (size_t i = 1 + damage.pick(3); i > 0 && !lines.empty(); --i) {
-        const size_t chosen = damage.pick(lines.size());
-        switch (damage.pick(8)) {
-        case 0:
-            lines.erase(at(chosen));
-            break;
-        case 1: // a message of another session
-        case 2:
-            lines.insert(at(damage.pick(lines.size() + 1)), lent.any(damage));
-            break;
-        case 3:
-            std::swap(lines[chosen], lines[damage.pick(lines.size())]);
-            break;
-        default:
-            lines[chosen] = changedMessage(lines[chosen], lent, damage);
-        }
-    }
-    std::string mutant;
-    for (const std::string& line : lines) mutant += line + "\n";
-    if (mutant.empty() || mutant.size() > maxSize) return LLVMFuzzerMutate(data, size, maxSize);
-    std::memcpy(data, mutant.data(), mutant.size());
-    return mutant.size();
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
     static const bool ready = (plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols()),
                                ::setenv("XDG_CACHE_HOME", (rootOf(true) + "/cache").c_str(), 1) == 0);
     if (!ready) return 0;
     Session session;
-    for (const std::string& line : linesOf(data, size))
+    for (const std::string& line : plc::fuzz::linesOf(std::string(reinterpret_cast<const char*>(data), size)))
         if (line.starts_with("> "))
             session.send(line.substr(2));
         else
