@@ -113,8 +113,8 @@ at_length() { # name of a long test
 
 # The targets that check and run whole programs do so without sanitizers (preset fuzz), so that they see many; what they kept is run
 # once with them afterwards. The others have sanitizers from the start.
-of_programs=(fuzz_check fuzz_run fuzz_change)
-of_bytes=(fuzz_lexer fuzz_parser fuzz_messages fuzz_inputs fuzz_peers)
+of_programs=(fuzz_check fuzz_run fuzz_change fuzz_inside)
+of_bytes=(fuzz_lexer fuzz_parser fuzz_messages fuzz_inputs fuzz_peers fuzz_panels)
 
 with_sanitizers() {
     export ASAN_OPTIONS=detect_leaks=1:malloc_context_size=4:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
@@ -135,7 +135,8 @@ fuzz() { # fuzz target
         ;;
     fuzz_messages) seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts) ;; # whole sessions with other editors
     fuzz_peers) seeds=(tests/fuzz/peers) ;;
-    fuzz_check | fuzz_run | fuzz_change)
+    fuzz_panels) seeds=(tests/fuzz/panels) ;;
+    fuzz_check | fuzz_run | fuzz_change | fuzz_inside)
         preset=fuzz
         words=(-use_counters=0) # how often a place was passed makes most texts new, and the corpus long
         ;;
@@ -169,9 +170,9 @@ if [ "$long" = 1 ]; then
         at_once=${FUZZERS:-2}
         [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
         say "fuzz: ${FUZZ_SECONDS:-300} s each, $at_once at once; a finding lies in build/fuzz_findings"
-        part "fuzz: eight targets, ${FUZZ_SECONDS:-300} s each, $at_once at once" \
+        part "fuzz: ten targets, ${FUZZ_SECONDS:-300} s each, $at_once at once" \
             side_by_side "$at_once" build/fuzz_logs fuzz "${of_programs[@]}" "${of_bytes[@]}"
-        part "fuzz: what three of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_programs[@]}"
+        part "fuzz: what four of them kept, with sanitizers" side_by_side "$at_once" build/fuzz_logs/again again_with_sanitizers "${of_programs[@]}"
     fi
     say "tests: broken programs at each token, random programs and events and damaged files at length"
     long_tests=(random_values random_faults random_events broken_goldens damaged_files)

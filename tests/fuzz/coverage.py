@@ -14,19 +14,21 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TARGETS = ["fuzz_lexer", "fuzz_parser", "fuzz_check", "fuzz_run", "fuzz_change", "fuzz_messages", "fuzz_inputs", "fuzz_peers"]
-SESSIONS = ["tests/projects/language_server/scripts", "tests/projects/debug_adapter/scripts"]
+TARGETS = ["fuzz_lexer", "fuzz_parser", "fuzz_check", "fuzz_run", "fuzz_change", "fuzz_inside", "fuzz_messages", "fuzz_inputs", "fuzz_peers",
+           "fuzz_panels"]
+SEEDS = {  # of the others: texts
+    "fuzz_messages": ["tests/projects/language_server/scripts", "tests/projects/debug_adapter/scripts"],
+    "fuzz_peers": ["tests/fuzz/peers"],
+    "fuzz_panels": ["tests/fuzz/panels"],
+    "fuzz_inputs": [],  # those that test.sh makes
+}
+TEXTS = ["tests/fuzz/seeds", "tests/fuzz/findings", "tests/golden"]
 FUNCTION = re.compile(r"^(UN)?COVERED_FUNC: hits: \d+ edges: (\d+)/(\d+) (.*?) (\S+?):(\d+)(?::\d+)?$")
 
 
 def seeds_of(target: str, corpus: pathlib.Path) -> list[str]:
     folders = [str(corpus / target)] if (corpus / target).is_dir() else []
-    if target == "fuzz_messages":
-        folders += SESSIONS
-    elif target == "fuzz_peers":
-        folders.append("tests/fuzz/peers")
-    elif target != "fuzz_inputs":
-        folders += ["tests/fuzz/seeds", "tests/fuzz/findings", "tests/golden"]
+    folders += SEEDS.get(target, TEXTS)
     return folders
 
 

@@ -1,6 +1,6 @@
 // Every seed and every past finding goes through all fuzz entries, in each preset; and every seed cut at each
 // token and with one token swapped: no crash, no hang.
-#include "tests/fuzz/entries_impl.h"
+#include "tests/fuzz/inside_impl.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +42,7 @@ TEST_F(FuzzReplay, SeedsAndFindingsPass) {
             plc::fuzz::checkText(text);
             plc::fuzz::runText(text);
             plc::fuzz::changeText(text);
+            plc::fuzz::lookInside(text);
             ++count;
         }
     EXPECT_GT(count, 0u);
@@ -64,7 +65,7 @@ TEST_F(FuzzReplay, SeedsCutAtEachTokenAndWithOneTokenSwapped) {
     }
 }
 
-TEST_F(FuzzReplay, MutantsByTheGrammarAreCheckedRunAndExchanged) {
+TEST_F(FuzzReplay, MutantsByTheGrammarAreCheckedExchangedAndLookedInto) {
     const char* given = std::getenv("STEPWISE_SEED");
     const auto first = given ? static_cast<uint32_t>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
     std::printf("seed %u\n", first);
@@ -82,6 +83,7 @@ TEST_F(FuzzReplay, MutantsByTheGrammarAreCheckedRunAndExchanged) {
         plc::fuzz::checkText(mutant);
         right += plc::driver::check(plc::fuzz::inputOf(mutant)).analysis->hasErrors ? 0 : 1;
         if (i % 30 == 0) plc::fuzz::changeText(mutant);
+        if (i % 30 == 15) plc::fuzz::lookInside(mutant);
     }
     EXPECT_GT(right, 0u) << "mutants that nothing is wrong with reach the code behind the checker";
 }
