@@ -306,7 +306,7 @@ TypeId resolveArray(WorldBuilder& world, const syntax::TypeSpec& spec, const Sco
             good = false;
             continue;
         }
-        if (*high == *low - 1 && isInGeneric(scope)) {
+        if (*low > INT64_MIN && *high == *low - 1 && isInGeneric(scope)) {
             dimensions.push_back({*low, *low});
             continue;
         }
