@@ -151,7 +151,12 @@ again_with_sanitizers() { # fuzz target of programs
     exec "build/asan/bin/$1" "${fuzz_options[@]}" -runs=0 -max_len=65536 "-artifact_prefix=build/fuzz_findings/${1}_" "build/fuzz_corpus/$1"
 }
 
-if [ "$long" = 1 ]; then install_missing clang-19 libclang-rt-19-dev; else install_missing; fi
+if [ "$long" = 1 ]; then
+    install_missing clang-19 libclang-rt-19-dev
+    export STEPWISE_TEST_GROUPS=1 # a process takes long to start
+else
+    install_missing
+fi
 configure dev
 part "dev: build" build dev
 part "dev: every test" run_tests dev
