@@ -4,6 +4,7 @@
 //   STEPWISE_RANDOM_TRACE=1        prints each event before it happens
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
+#include "tests/support/repeats.h"
 
 #include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
@@ -334,9 +335,9 @@ protected:
         }
     }
 
-    void makeEvents() {
+    void makeEvents(int fewer = 1) {
         const auto seed = static_cast<uint32_t>(numberOf("STEPWISE_RANDOM_SEED", 1));
-        const int count = numberOf("STEPWISE_RANDOM_EVENTS", 300);
+        const int count = numberOf("STEPWISE_RANDOM_EVENTS", 300) / fewer;
         const bool traced = qEnvironmentVariableIsSet("STEPWISE_RANDOM_TRACE");
         std::printf("seed %u, %d events\n", seed, count);
         std::mt19937 random(seed);
@@ -446,7 +447,8 @@ protected:
     }
 };
 
-TEST_F(ShortRecording, IsLookedBackOnWhileItForgets) { makeEvents(); }
+// At full speed a sanitizer leaves the window little time.
+TEST_F(ShortRecording, IsLookedBackOnWhileItForgets) { makeEvents(kFewer); }
 
 } // namespace
 } // namespace plc::app

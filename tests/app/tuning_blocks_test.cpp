@@ -2,6 +2,7 @@
 // goes on without a bump.
 #include "projects/loops/loops.h"
 #include "tests/app/tuning_dock.h"
+#include "tests/support/repeats.h"
 
 namespace plc::app {
 namespace {
@@ -130,7 +131,7 @@ protected:
         ASSERT_TRUE(loop);
         const std::string gain = loop->pin(loop->form->parameters.front().member);
         const std::string output = loop->pin(loop->form->input);
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < 2 * repeats(3); ++i) {
             const history::Position begin = control().status().position;
             changeGain(i % 2 == 0 ? "tuningWrite" : "tuningBack", gain);
             pause();

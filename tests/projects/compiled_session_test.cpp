@@ -4,6 +4,7 @@
 #include "runtime/compiler/jit/jit.h"
 #include "tests/projects/random_program.h"
 #include "tests/support/eventually.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -151,7 +152,7 @@ TEST(TimeTravel, ResumingFromAnyScanGivesTheImagesOfARunThatWasNeverInterrupted)
 
 TEST(TimeTravel, HoldsForRandomProgramsTasksAndInputs) {
     const unsigned seed = seedOfRun();
-    for (unsigned run = 0; run < 12; ++run) {
+    for (unsigned run = 0; run < repeats(12U); ++run) {
         const std::string program = plc::testing::RandomProgram(seed + run).text();
         SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run) + " (STEPWISE_SEED sets it)\n" +
                      program);

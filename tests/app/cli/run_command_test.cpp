@@ -127,6 +127,7 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const std::string file = path("long.st");
     write("long_test.st", "TEST 'long'\nRUN 1000 SCANS;\nEND_TEST\n");
+    int way = 0;
     for (const LongScan& scan : longScans()) {
         write("long.st", scan.text);
         const std::string variable = "Main." + scan.variable;
@@ -136,6 +137,7 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
               {"trace", file, "--channels", variable, "--for", "10m", "--csv", path("out.csv")},
               {"why", file, variable, "--for", "10m"},
               {"test", file, path("long_test.st")}}) {
+            if (way++ % kFewer != 0) continue;
             const auto interrupted = [&] {
                 double pressed = 0;
                 std::atomic<bool> isOver = false;

@@ -5,6 +5,7 @@
 #include "projects/tuning/proposal.h"
 #include "projects/tuning/rules.h"
 #include "tests/projects/tuning/processes.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -230,7 +231,7 @@ Cause diagnosed(Cause illness, unsigned seed, const FromOutside& outside = {}) {
 } // namespace
 
 TEST(Health, TheCauseIsToldApartOverLoopsByChance) {
-    constexpr unsigned kFirst = 20'000, kLoops = 60;
+    constexpr unsigned kFirst = 20'000, kLoops = plc::repeats(60U);
     std::map<Cause, std::map<Cause, unsigned>> said; // of each illness, where the loop oscillates at all
     std::map<Cause, unsigned> all;
     for (const Cause illness : {Cause::Tuning, Cause::Stiction, Cause::Outside})
@@ -248,7 +249,7 @@ TEST(Health, TheCauseIsToldApartOverLoopsByChance) {
 }
 
 TEST(Health, SawteethAndTrianglesFromOutsideAreNotTheValve) {
-    constexpr unsigned kFirst = 30'000, kLoops = 12;
+    constexpr unsigned kFirst = 30'000, kLoops = plc::repeats(12U);
     unsigned all = 0, blamed = 0, either = 0;
     for (const Wave wave : {Wave::Rising, Wave::Falling, Wave::Triangle})
         for (const bool isLoad : {false, true})

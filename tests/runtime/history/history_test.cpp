@@ -2,6 +2,7 @@
 #include "runtime/expression/code.h"
 #include "runtime/history/history.h"
 #include "tests/runtime/hand_made_program.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -451,12 +452,13 @@ TEST(History, EveryScanIsRecordedWithWhatActedFromOutside) {
         source.useProgram(makeProgram(1 + dice() % (run % 2 ? 40 : 400)));
         const unsigned longest = run % 4 == 0 ? 9000 : 300;
         std::vector<bool> isActedOn;
-        for (unsigned i = 0; i < 3000; ++i) {
+        const unsigned scans = repeats(3000U);
+        for (unsigned i = 0; i < scans; ++i) {
             isActedOn.push_back(i == 0 || dice() % 2 == 0); // what a scan began with is known from its first note on
             if (isActedOn.back()) source.actFromOutside(1 + dice() % longest);
             source.scan(static_cast<int>(dice() % 20), 1'000'000);
         }
-        for (Position p = 0; p < 3000; ++p) {
+        for (Position p = 0; p < scans; ++p) {
             ASSERT_NO_FATAL_FAILURE(expectSame(history, source.all, p));
             const Result<ScanInput> input = history.inputOf(p);
             ASSERT_TRUE(input) << "position " << p;

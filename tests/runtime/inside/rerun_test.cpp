@@ -5,6 +5,7 @@
 #include "runtime/base/messages.h"
 #include "tests/projects/random_program.h"
 #include "tests/runtime/inside/recorded.h"
+#include "tests/support/repeats.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -100,7 +101,7 @@ void expectEveryScanAgain(const history::History& history, const std::string& wh
 
 TEST(RunAgain, EveryScanOfRandomProgramsWithInfluenceFromOutside) {
     const unsigned seed = 4711;
-    const unsigned count = std::getenv("STEPWISE_LONG") ? 1000 : 25;
+    const unsigned count = std::getenv("STEPWISE_LONG") ? 1000 : repeats(25U);
     for (unsigned run = 0; run < count; ++run) {
         const std::string text = plc::testing::RandomProgram(seed + run).text();
         std::mt19937 dice(seed + run);

@@ -3,6 +3,7 @@
 
 #include "tests/projects/random_program.h"
 #include "tests/runtime/inside/recorded.h"
+#include "tests/support/repeats.h"
 
 using namespace plc;
 using namespace plc::inside;
@@ -173,7 +174,7 @@ TEST(SlowScan, ABreakpointIsAtTheFirstStatementOfItsLineInBothDirections) {
 }
 
 TEST(SlowScan, EndsAsRecordedInRandomProgramsWhateverWasWrittenAndForced) {
-    for (unsigned seed = 200; seed < 210; ++seed) {
+    for (unsigned seed = 200; seed < 200 + repeats(10U); ++seed) {
         session::Session session(buildText(plc::testing::RandomProgram(seed).text()));
         session.controller().start();
         for (int i = 0; i < 12; ++i) {

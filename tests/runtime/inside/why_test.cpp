@@ -3,6 +3,7 @@
 #include "runtime/inside/words.h"
 #include "tests/projects/random_program.h"
 #include "tests/runtime/inside/recorded.h"
+#include "tests/support/repeats.h"
 
 using namespace plc;
 using namespace plc::inside;
@@ -324,7 +325,7 @@ END_PROGRAM)");
 /// On random programs and random influence: what is named as the trigger, taken back, changes the answer, and each way
 /// to another result leads there.
 TEST_F(Why, HoldsForRandomProgramsAndQuestions) {
-    const size_t wanted = std::getenv("STEPWISE_LONG") ? 1000 : 40;
+    const size_t wanted = std::getenv("STEPWISE_LONG") ? 1000 : repeats(40U);
     size_t questions = 0, explained = 0, programs = 0;
     for (unsigned seed = 900; questions < wanted; ++seed) {
         ASSERT_LT(++programs, wanted) << "too few programs could be asked";
