@@ -39,6 +39,7 @@ seed 8 "$1/seed_8_0" <<<'{"timeout": 60, "roles": [{"name": "operator"}], "users
 seed 9 "$1/seed_9_0" <<<'<xliff version="2.0" xmlns="urn:oasis:names:tc:xliff:document:2.0" srcLang="en" trgLang="de"><file id="f"><unit id="a"><segment><source>Start</source><target>Anfang</target></segment></unit></file></xliff>'
 seed 11 "$1/seed_11_0" <<<$'time,level,pump\n0.0,1.5,TRUE\n0.1,1.6,FALSE'
 seed 12 "$1/seed_12_0" <<<$'\x01<TcPlcObject Version="1.1.0.1"><POU Name="Main"><Declaration><![CDATA[PROGRAM Main\nVAR x : INT; END_VAR]]></Declaration><Implementation><ST><![CDATA[x := x + 1;]]></ST></Implementation></POU></TcPlcObject>'
+{ printf '\x00'; cat tests/fuzz/foreign/standard.xml; } | seed 12 "$1/seed_12_standard" # IEC 61131-10
 for file in tests/fuzz/foreign/*.EXP; do # text exports of CODESYS 2.3
     { printf '\x02'; cat "$file"; } | seed 12 "$1/seed_12_$(basename "$file" .EXP)"
 done

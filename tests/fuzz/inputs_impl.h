@@ -14,6 +14,7 @@
 #include "hmi/view/scene/panel_scene.h"
 #include "projects/devices/configuration/device_check.h"
 #include "projects/exchange/import.h"
+#include "projects/exchange/plcopen/plcopen_export.h"
 #include "projects/storage/project_file.h"
 #include "projects/waveform/table.h"
 #include "runtime/controller/retain.h"
@@ -182,7 +183,11 @@ void readForeignProject(const std::string& bytes) {
     constexpr const char* kNames[] = {"a.xml", "a.TcPOU", "a.EXP", "a.TcTTO"};
     const auto imported = exchange::importFrom(
         scratch().write(kNames[static_cast<unsigned char>(bytes[0]) % std::size(kNames)], bytes.substr(1)));
-    if (imported) (void)exchange::toProject(*imported);
+    if (!imported) return;
+    const projects::Project project = exchange::toProject(*imported);
+    for (const exchange::Edition edition : {exchange::Edition::Codesys0200, exchange::Edition::Plain0201})
+        if (const auto exported = exchange::exportPlcopen(project, {edition, "2000-01-01T00:00:00"}))
+            mustHold(bool(exchange::importFrom(scratch().write("b.xml", exported->text))));
 }
 
 } // namespace plc::fuzz
