@@ -148,9 +148,12 @@ TEST_F(StudioTest, FoldsStayAsTheyAreWhenTheColoursChange) {
 
 TEST_F(StudioTest, ASpeedIsTypedAndTakenByOneEnter) {
     bool isClosed = false;
-    QTimer::singleShot(100, [&isClosed] {
-        const QPointer<QWidget> dialog = QApplication::activeModalWidget();
-        ASSERT_TRUE(dialog);
+    QTimer::singleShot(0, [&isClosed] {
+        QPointer<QWidget> dialog;
+        ASSERT_TRUE(QTest::qWaitFor([&dialog] {
+            dialog = QApplication::activeModalWidget();
+            return dialog && dialog->isAncestorOf(QApplication::focusWidget());
+        }));
         for (const char key : {'0', '.', '5'})
             QTest::keyClick(QApplication::focusWidget(), key); // the first letters of "0.5 ×"
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);

@@ -214,7 +214,7 @@ private:
     }
 
     Json odd(const Json& root) {
-        switch (pick(16)) {
+        switch (pick(18)) {
         case 0:
             return nullptr;
         case 1:
@@ -245,6 +245,9 @@ private:
             return Json::object();
         case 14:
             return Json::array({1, "two", nullptr, Json::array({-3, 1e9})});
+        case 15: // a line, a count, an index
+        case 16:
+            return pick(64);
         default:
             return root;
         }
