@@ -40,6 +40,9 @@ seed 9 "$1/seed_9_0" <<<'<xliff version="2.0" xmlns="urn:oasis:names:tc:xliff:do
 seed 11 "$1/seed_11_0" <<<$'time,level,pump\n0.0,1.5,TRUE\n0.1,1.6,FALSE'
 seed 12 "$1/seed_12_0" <<<$'\x01<TcPlcObject Version="1.1.0.1"><POU Name="Main"><Declaration><![CDATA[PROGRAM Main\nVAR x : INT; END_VAR]]></Declaration><Implementation><ST><![CDATA[x := x + 1;]]></ST></Implementation></POU></TcPlcObject>'
 { printf '\x00'; cat tests/fuzz/foreign/standard.xml; } | seed 12 "$1/seed_12_standard" # IEC 61131-10
+for file in tests/fuzz/foreign/*.TcPOU; do # bodies that are drawn, as TwinCAT stores them
+    { printf '\x01'; cat "$file"; } | seed 12 "$1/seed_12_$(basename "$file" .TcPOU)"
+done
 for file in tests/fuzz/foreign/*.EXP; do # text exports of CODESYS 2.3
     { printf '\x02'; cat "$file"; } | seed 12 "$1/seed_12_$(basename "$file" .EXP)"
 done

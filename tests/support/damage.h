@@ -205,7 +205,8 @@ private:
         else if (value.is_string())
             value = spoilt(value.get<std::string>());
         else if (value.is_number_integer() && pick(2) == 0)
-            value = static_cast<int64_t>(value.get<uint64_t>() + (pick(2) == 0 ? 1 : ~uint64_t{0}));
+            value = static_cast<int64_t>(value.get<uint64_t>() +
+                                         (pick(2) == 0 ? pick(65) - 32 : (pick(2) == 0 ? 1 : ~uint64_t{0})));
         else if (value.is_number()) {
             static constexpr double factors[] = {-1, 0.5, 2, 10, 0.1, 1000};
             value = value.get<double>() * factors[pick(std::size(factors))];
