@@ -74,7 +74,8 @@ TEST(Cancelling, EndsATestAtOnceInTheMiddleOfWhateverItDoes) {
                 << (report->results.back().failures.empty() ? "passed"
                                                             : report->results.back().failures[0].message.english());
         }
-        EXPECT_LT(over - asked, kAtOnceSeconds) << kind.name;
+        // with the image of the test, which is given back
+        EXPECT_LT(over - asked, kAtOnceSeconds + secondsForNewMemory(360'000'000)) << kind.name;
         RecordProperty(kind.name, std::to_string(over - asked));
     }
 }
