@@ -1,9 +1,8 @@
 // The first byte says which kind of file the rest is. What is JSON is mostly changed as such, with one of the last
 // files of its kind as the donor: a change of bytes seldom leaves it readable.
+#include "tests/fuzz/application.h"
 #include "tests/fuzz/inputs_impl.h"
 #include "tests/support/damage.h"
-
-#include <QApplication>
 
 #include <array>
 #include <cstring>
@@ -36,11 +35,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(unsigned char* data, size_t size, size
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
-    static int count = 1;
-    static char name[] = "fuzz_inputs";
-    static char* words[] = {name, nullptr};
-    static QApplication* const application = (qputenv("QT_QPA_PLATFORM", "offscreen"), new QApplication(count, words));
-    (void)application;
+    plc::fuzz::needApplication();
     if (size == 0) return 0;
     plc::fuzz::kInputs[data[0] % kKinds].read(std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
     return 0;
