@@ -2,6 +2,7 @@
 #pragma once
 #include "tests/fuzz/entries.h"
 #include "tests/fuzz/grammar.h"
+#include "tests/fuzz/promise.h"
 
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/format/format.h"
@@ -19,10 +20,6 @@
 #include <vector>
 
 namespace plc::fuzz {
-
-inline void promise(bool kept) {
-    if (!kept) std::abort();
-}
 
 void lexText(std::string_view bytes) {
     diagnostics::Sink sink;

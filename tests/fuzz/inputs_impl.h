@@ -1,6 +1,7 @@
 // The bodies, included once per program. Broken promises abort: libFuzzer and the test runner both see that.
 #pragma once
 #include "tests/fuzz/inputs.h"
+#include "tests/fuzz/promise.h"
 
 #include "editor/trace/recording/run_recording.h"
 #include "editor/trace/setup/trace_setup.h"
@@ -28,10 +29,6 @@
 #include <unistd.h>
 
 namespace plc::fuzz {
-
-inline void mustHold(bool kept) {
-    if (!kept) std::abort();
-}
 
 /// A folder of this process, removed at its end; in memory where there is such a place.
 class Scratch {
@@ -68,7 +65,7 @@ void readPanel(const std::string& bytes) {
     if (!panel) return;
     const std::string written = panel->write();
     const auto again = hmi::Panel::parse(written, QStringLiteral("p"));
-    mustHold(bool(again) && again->write() == written);
+    promise(bool(again) && again->write() == written);
     for (const hmi::Element& element : panel->elements()) {
         (void)panel->withDescendants(element.id());
         (void)panel->childrenOf(element.id());
@@ -100,7 +97,7 @@ void readTexts(const std::string& bytes) {
     if (!table) return;
     const std::string written = table->write();
     const auto again = hmi::TextTable::parse(written, QStringLiteral("texts.csv"));
-    mustHold(bool(again) && again->write() == written);
+    promise(bool(again) && again->write() == written);
     (void)table->listPrefixes();
 }
 
@@ -111,7 +108,7 @@ void readAlarms(const std::string& bytes) {
     (void)file->classes();
     const std::string written = file->write();
     const auto again = hmi::AlarmFile::parse(written, QStringLiteral("alarms.json"));
-    mustHold(bool(again) && again->write() == written);
+    promise(bool(again) && again->write() == written);
 }
 
 void readTraceSetup(const std::string& bytes) {
@@ -119,7 +116,7 @@ void readTraceSetup(const std::string& bytes) {
     if (!setup) return;
     const std::string written = trace::writeSetup(*setup);
     const auto again = trace::readSetup(written, "t");
-    mustHold(bool(again) && trace::writeSetup(*again) == written);
+    promise(bool(again) && trace::writeSetup(*again) == written);
 }
 
 void readProjectFile(const std::string& bytes) {
@@ -127,7 +124,7 @@ void readProjectFile(const std::string& bytes) {
     const auto project = projects::openProject({scratch().path()});
     if (!project) return;
     scratch().write("project.json", project->json.dump(2));
-    mustHold(bool(projects::openProject({scratch().path()})));
+    promise(bool(projects::openProject({scratch().path()})));
 }
 
 void readRecording(const std::string& bytes) {
@@ -147,7 +144,7 @@ void readRecipes(const std::string& bytes) {
     if (!file) return;
     const std::string written = file->write();
     const auto again = hmi::RecipeFile::parse(written, QStringLiteral("recipes.json"));
-    mustHold(bool(again) && again->write() == written);
+    promise(bool(again) && again->write() == written);
     for (hmi::Recipe& recipe : file->recipes()) {
         (void)hmi::recipeFromCsv(recipe, bytes, QStringLiteral("recipe.csv"));
         (void)hmi::recipeFromCsv(recipe, hmi::recipeToCsv(recipe), QStringLiteral("recipe.csv"));
@@ -159,14 +156,14 @@ void readPeople(const std::string& bytes) {
     if (!file) return;
     const std::string written = file->write();
     const auto again = hmi::PeopleFile::parse(written, QStringLiteral("people.json"));
-    mustHold(bool(again) && again->write() == written);
+    promise(bool(again) && again->write() == written);
 }
 
 void readTranslations(const std::string& bytes) {
     const auto file = hmi::readXliff(bytes, QStringLiteral("texts.xlf"));
     if (!file) return;
     auto table = hmi::TextTable::parse("key,comment,en,de\na,,Start,\nb,,Level %d,\n", QStringLiteral("texts.csv"));
-    mustHold(bool(table));
+    promise(bool(table));
     (void)hmi::takeXliff(*table, *file, QStringLiteral("texts.xlf"));
     (void)hmi::TextTable::parse(table->write(), QStringLiteral("texts.csv"));
 }
@@ -174,7 +171,7 @@ void readTranslations(const std::string& bytes) {
 void readDevices(const std::string& bytes) {
     devices::DeviceFile file = devices::DeviceFile::parse(bytes);
     (void)devices::checkDevices(file, nullptr, {});
-    mustHold(devices::DeviceFile::parse(file.text()).devices() == file.devices());
+    promise(devices::DeviceFile::parse(file.text()).devices() == file.devices());
 }
 
 void readForeignTrace(const std::string& bytes) { (void)waveform::parseTable(bytes); }
@@ -190,7 +187,7 @@ void readForeignProject(const std::string& bytes) {
         if (const auto exported = exchange::exportPlcopen(project, {edition, "2000-01-01T00:00:00"})) {
             const auto back = exchange::importFrom(scratch().write("b.xml", exported->text));
             // a text without a unit is a project, but none that can be exported
-            mustHold(back || back.error().message.english() == errors::ImportNothing().english());
+            promise(back || back.error().message.form() == errors::ImportNothing().form());
         }
 }
 

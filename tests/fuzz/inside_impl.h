@@ -108,6 +108,25 @@ inline void ask(inside::Insight& insight, const image::CompiledProgram& program,
     }
 }
 
+inline void showText(const std::shared_ptr<const inside::Look>& look, size_t length) {
+    inside::TextPart part;
+    part.file = FileId(size_t(0));
+    part.end = static_cast<uint32_t>(length);
+    (void)inside::PlaceValues(look, part.file, {});
+    (void)inside::textOf(*look, part);
+}
+
+inline void reportCoverage(const image::CompiledProgram& program,
+                           const std::vector<inside::FunctionCoverage>& functions) {
+    for (const inside::FunctionCoverage& function : functions) {
+        promise(function.statementsRun() <= function.statements.size());
+        promise(function.branchesTaken() <= function.branches.size());
+        promise(function.conditionsMet() <= function.conditionCount());
+    }
+    (void)inside::coberturaXml(program, functions);
+    (void)inside::coverageHtml(program, functions);
+}
+
 /// Meant: it ran.
 Reach lookInside(std::string_view bytes) {
     driver::Built built = driver::build(inputOf(bytes));
@@ -133,23 +152,10 @@ Reach lookInside(std::string_view bytes) {
         promise(bool(coverage.add(insight, at)));
         if (at != recorded.first && at + 1 != end) continue;
         walk(*look);
-        const FileId file(size_t(0));
-        (void)inside::PlaceValues(*look, file, {});
-        inside::TextPart part;
-        part.file = file;
-        part.end = static_cast<uint32_t>(bytes.size());
-        (void)inside::textOf(**look, part);
+        showText(*look, bytes.size());
     }
-    const image::CompiledProgram& program = *session.program();
-    ask(insight, program, end - 1, bytes);
-    const std::vector<inside::FunctionCoverage> functions = coverage.functions();
-    for (const inside::FunctionCoverage& function : functions) {
-        promise(function.statementsRun() <= function.statements.size());
-        promise(function.branchesTaken() <= function.branches.size());
-        promise(function.conditionsMet() <= function.conditionCount());
-    }
-    (void)inside::coberturaXml(program, functions);
-    (void)inside::coverageHtml(program, functions);
+    ask(insight, *session.program(), end - 1, bytes);
+    reportCoverage(*session.program(), coverage.functions());
     return Reach::Meant;
 }
 

@@ -4,6 +4,7 @@
 #include "hmi/web/web_panel.h"
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/fuzz/promise.h"
 #include "tests/fuzz/scripts.h"
 
 #include <QCoreApplication>
@@ -24,10 +25,6 @@ namespace operated {
 
 using hmi::web::ClientWord;
 using Json = testing::Damage::Json;
-
-inline void promise(bool kept) {
-    if (!kept) std::abort();
-}
 
 /// Only panels write what is in `set`.
 inline const char* const kMachine = R"(

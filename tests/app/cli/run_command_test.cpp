@@ -137,7 +137,7 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
               {"trace", file, "--channels", variable, "--for", "10m", "--csv", path("out.csv")},
               {"why", file, variable, "--for", "10m"},
               {"test", file, path("long_test.st")}}) {
-            if (way++ % kFewer != 0) continue;
+            if (kFewer > 1 && way++ % 4 != 0) continue; // run, test, why and trace once each
             const auto interrupted = [&] {
                 double pressed = 0;
                 std::atomic<bool> isOver = false;
