@@ -1,4 +1,5 @@
 #include "tests/app/all_windows.h"
+#include "tests/support/patience.h"
 
 #include "app/documents/design_pages.h"
 #include "app/documents/file_commands.h"
@@ -112,7 +113,7 @@ std::string panelOfAllKinds() {
     return hmi::Json({{"elements", std::move(elements)}}).dump();
 }
 
-bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); }
+bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); }
 
 /// Looks at what `open` shows, a dialog or a popup of its own loop, and closes it.
 void lookAtWhatOpens(const Look& look, const QString& name, QWidget* (*opened)(), const std::function<void()>& open) {

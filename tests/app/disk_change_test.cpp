@@ -62,18 +62,26 @@ protected:
         table.setText(key, "de", text);
         window->live().design()->setTable(table);
     }
-    /// The next question is answered with the button of that name.
-    static void answerNext(const char* button) {
-        auto* look = new QTimer(qApp); // until the question is there: a busy machine takes its time
-        QObject::connect(look, &QTimer::timeout, look, [look, button] {
-            const QWidget* box = QApplication::activeModalWidget();
-            auto* found = box ? box->findChild<QAbstractButton*>(button) : nullptr;
+    /// What `find` looks for is used once, as soon as it is there: a busy machine takes its time.
+    template <class Find, class Use> static void asSoonAs(Find find, Use use) {
+        auto* look = new QTimer(qApp);
+        QObject::connect(look, &QTimer::timeout, look, [look, find, use] {
+            auto* found = find();
             if (!found) return;
             look->stop();
             look->deleteLater();
-            found->click();
+            use(*found);
         });
         look->start(20);
+    }
+    /// The next question is answered with the button of that name.
+    static void answerNext(const char* button) {
+        asSoonAs(
+            [button]() -> QAbstractButton* {
+                const QWidget* box = QApplication::activeModalWidget();
+                return box ? box->findChild<QAbstractButton*>(button) : nullptr;
+            },
+            [](QAbstractButton& found) { found.click(); });
     }
     QString tabTitle(const QString& key) {
         return window->tabs().tabText(window->tabs().indexOf(window->tabs().pageByKey(key)));
@@ -367,19 +375,14 @@ TEST_F(DiskChangeTest, TheLineOfAFaultAndTheLineOfAnErrorAreColoured) {
 
 TEST_F(DiskChangeTest, AComparisonIsOfferedAndItsTextGoesOn) {
     typeAtEnd("done := FALSE;");
-    QTimer::singleShot(300, window.get(), [this] {
-        auto* box = QApplication::activeModalWidget();
-        ASSERT_NE(box, nullptr);
-        QTimer::singleShot(300, window.get(), [] {
-            auto* merge = qobject_cast<MergeDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(merge, nullptr);
-            ASSERT_EQ(merge->hunks().size(), 2U);
-            merge->goToHunk(0);
-            merge->takeOver();
-            merge->accept();
-        });
-        box->findChild<QAbstractButton*>("compare")->click();
-    });
+    answerNext("compare");
+    asSoonAs([] { return qobject_cast<MergeDialog*>(QApplication::activeModalWidget()); },
+             [](MergeDialog& merge) {
+                 ASSERT_EQ(merge.hunks().size(), 2U);
+                 merge.goToHunk(0);
+                 merge.takeOver();
+                 merge.accept();
+             });
     write("src/main.st", QByteArray(kMain).replace(":= 1000", ":= 500"));
     EXPECT_TRUE(waitFor([&] { return editor().utf8().find(":= 500") != std::string::npos; }));
     EXPECT_NE(editor().utf8().find("done := FALSE;"), std::string::npos) << "mine, in the same text";

@@ -5,6 +5,7 @@
 #include "editor/kit/long_task.h"
 #include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/patience.h"
 #include "tests/support/repeats.h"
 
 #include <QLabel>
@@ -23,7 +24,7 @@ protected:
         StudioTest::SetUp();
         dialog = std::make_unique<ImportDialog>(folder.path() + "/projects", window.get());
         dialog->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog.get()));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog.get(), kPatience));
     }
     void TearDown() override {
         kit::LongTask::setPatience(500);

@@ -28,7 +28,7 @@ protected:
         since.start();
         QObject::connect(looks, &QTimer::timeout, looks, [looks, since, button, answered] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box && since.elapsed() < 20'000) return;
+            if (!box && since.elapsed() < kPatience) return;
             looks->stop();
             looks->deleteLater();
             if (!box) return;

@@ -13,6 +13,7 @@
 #include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
 #include <QAction>
@@ -252,7 +253,7 @@ TEST_F(KeyboardTest, PanesGetLargerAndSmaller) {
 TEST_F(KeyboardTest, TheSidesOfADialogGetLargerToo) {
     MergeDialog dialog("src/main.st", "a := 1;\n", "a := 2;\n", window.get());
     dialog.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog, kPatience));
     dialog.activateWindow();
     auto* splitter = dialog.findChild<QSplitter*>();
     ASSERT_NE(splitter, nullptr);

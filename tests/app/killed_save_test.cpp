@@ -3,6 +3,7 @@
 // writes in turn. And a disk without room: the old file stays, and it is said which one was not written and why.
 #include "tests/app/killed_save.h"
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 
 #include "editor/trace/setup/trace_setup.h"
 #include "editor/workspace/workspace.h"
@@ -119,13 +120,13 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
         environment.insert("QT_QPA_PLATFORM", "offscreen");
         process.setProcessEnvironment(environment);
         process.start(QCoreApplication::applicationFilePath(), QStringList());
-        ASSERT_TRUE(process.waitForStarted());
+        ASSERT_TRUE(process.waitForStarted(kPatience));
         QByteArray output;
-        while (!output.contains("ready\n") && process.waitForReadyRead(60'000)) output += process.readAll();
+        while (!output.contains("ready\n") && process.waitForReadyRead(kPatience)) output += process.readAll();
         ASSERT_TRUE(output.contains("ready\n")) << output.toStdString();
         QTest::qSleep(static_cast<int>(random() % 40)); // a duration: any moment of saving may be the last
         ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
-        process.waitForFinished();
+        process.waitForFinished(kPatience);
         for (const QString& file : Writers::files()) {
             const QByteArray now = contentOf(folder.path() + "/" + file);
             const QByteArray forms[2] = {contentOf(expected(folder.path(), file, 0)),

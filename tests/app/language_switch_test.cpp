@@ -7,6 +7,7 @@
 #include "editor/debug/watch_view.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/patience.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -47,7 +48,7 @@ protected:
         window->action("file.settings")->trigger();
         ASSERT_TRUE(asked) << "nobody is asked whether the controller may stop";
         window = inOtherLanguage(std::move(window), *qApp, Settings().language());
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatience));
     }
     QString firstMenu() { return window->menuBar()->actions().front()->text().remove('&'); }
 };

@@ -18,7 +18,7 @@ protected:
         ASSERT_TRUE(window->workspace().save("src/main.st"));
         analysed();
         QTest::keyClick(window.get(), Qt::Key_F5);
-        ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Running; }, 60'000));
+        ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Running; }));
         QTest::qWait(300); // a duration: of the scan; that it has begun cannot be seen before it ends
         ASSERT_EQ(window->control().status().scans, 0u);
         m_since = processorSeconds();

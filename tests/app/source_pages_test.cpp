@@ -168,7 +168,7 @@ TEST_F(SourcePagesTest, ARenameFromATestReachesTheProgramAndOneUndoTakesItBack) 
 TEST_F(SourcePagesTest, ATestShowsNoValuesOfTheControllerThatRuns) {
     replace("tests/line.st", "Line.drive.turns > i", "Main.counter > i");
     window->action("run.start")->trigger();
-    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 3; }, 60'000));
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 3; }));
     StEditor& program = open("src/main.st");
     ASSERT_TRUE(waitFor([&] {
         program.refreshOnlineValues();

@@ -7,6 +7,7 @@
 #include "app/start/tour.h"
 #include "hmi/player/panel_player.h"
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
 #include <QAction>
@@ -37,14 +38,14 @@ TEST(StartPageTest, SeesTraceAndPanelAndIsToldWhatToPress) {
     timer.start();
     MainWindow window;
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, kPatience));
     EXPECT_FALSE(window.settings().sawTour());
     const std::string copy = folder.path().toStdString() + "/pid_pt1";
     std::filesystem::copy(plc::sourceDir() + "/projects/examples/pid_pt1", copy,
                           std::filesystem::copy_options::recursive);
     ASSERT_TRUE(window.openProject(QString::fromStdString(copy)));
     window.startTour();
-    const auto waitFor = [&](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); };
+    const auto waitFor = [&](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); };
     EXPECT_TRUE(waitFor([&] {
         return window.live().player() && window.live().player()->isVisible() && window.live().traceView().isVisible();
     }));
@@ -69,7 +70,7 @@ TEST(StartPageTest, FindsAPictureOfEveryExampleOnTheStartPage) {
     page.resize(1200, 8000); // room for every card
     page.show();
     const QListWidgetItem* last = page.examples().item(page.examples().count() - 1);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return last->data(StartPage::kPictureRole).isValid(); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last->data(StartPage::kPictureRole).isValid(); }, kPatience));
     const QDir folder(StartPage::examplesFolder());
     EXPECT_EQ(page.examples().count(), folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size());
     for (int row = 0; row < page.examples().count(); ++row) {
@@ -103,14 +104,14 @@ TEST(StartPageTest, ReadsOnlyThePicturesThatAreSeen) {
     page.show();
     QListWidget& examples = page.examples();
     const auto has = [&](int row) { return examples.item(row)->data(StartPage::kPictureRole).isValid(); };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, kPatience));
     settle();
     EXPECT_LT(picturesOf(page), examples.count() / 2);
     examples.scrollToBottom();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return has(examples.count() - 1); }, 60'000)) << "those that scroll into view";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return has(examples.count() - 1); }, kPatience)) << "those that scroll into view";
     page.reload(); // the list is another one then
     examples.scrollToTop();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return has(0); }, kPatience));
 }
 
 TEST(StartPageTest, ALongFolderOfARecentProjectIsElided) {

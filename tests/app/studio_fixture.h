@@ -4,6 +4,7 @@
 #include "app/pages/editor_tabs.h"
 #include "app/project/search_view.h"
 #include "app/settings/settings.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QDir>
@@ -57,7 +58,7 @@ protected:
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     }
-    static bool waitFor(const std::function<bool()>& condition, int ms = 60'000) {
+    static bool waitFor(const std::function<bool()>& condition, int ms = kPatience) {
         QElapsedTimer timer;
         timer.start();
         while (timer.elapsed() < ms) {

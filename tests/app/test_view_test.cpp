@@ -96,9 +96,9 @@ TEST_F(TestViewTest, ARunIsCancelledAtOnceInTheMiddleOfAScan) {
                                                                      "'%2'\nRUN 1000 SCANS;\nEND_TEST\n")
                                                           .arg(first, second)
                                                           .toStdString());
-        ASSERT_TRUE(waitFor([&] { return item(second) != nullptr; }, 60'000)) << scan.name;
+        ASSERT_TRUE(waitFor([&] { return item(second) != nullptr; })) << scan.name;
         window->action("run.tests")->trigger();
-        ASSERT_TRUE(waitFor([&] { return state(first) == "passed"; }, 60'000)) << scan.name;
+        ASSERT_TRUE(waitFor([&] { return state(first) == "passed"; })) << scan.name;
         QTest::qWait(200);                  // a duration: of the scan in the second test
         if (!cancel->isVisible()) continue; // a fast machine has used up the work that virtual time gives a scan
         const double since = processorSeconds();

@@ -1,6 +1,7 @@
 // docs/tutorial.md, step by step: the program and the test are read from the page itself, so that it cannot go stale.
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 
 #include "app/documents/design_pages.h"
 #include "app/panels/live_views.h"
@@ -35,7 +36,7 @@ TEST(Tutorial, ItsStepsWork) {
     QTemporaryDir folder;
     const QString project = folder.path() + "/my_motor";
     ASSERT_TRUE(createProject(project.toStdString(), "My motor", "empty"));
-    const auto waitFor = [](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); };
+    const auto waitFor = [](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); };
     MainWindow window;
     window.show();
     ASSERT_TRUE(window.openProject(project));

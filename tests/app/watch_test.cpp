@@ -6,6 +6,7 @@
 #include "editor/debug/watch_view.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/processor_time.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -101,10 +102,9 @@ TEST_F(WatchTest, UnfoldsStructuresBlocksAndLongArrays) {
     EXPECT_EQ(row(0)->child(0)->text(1), "7");
     ASSERT_EQ(row(1)->childCount(), 3) << "2500 elements in stretches of 1000";
     EXPECT_EQ(row(1)->child(2)->text(0), "[2000] … [2499]");
-    QElapsedTimer timer;
-    timer.start();
+    const double begin = processorSeconds();
     row(1)->child(0)->setExpanded(true);
-    EXPECT_LT(timer.elapsed(), 500);
+    EXPECT_LT(processorSeconds() - begin, kAtOnceSeconds);
     ASSERT_EQ(row(1)->child(0)->childCount(), 1000);
     EXPECT_EQ(row(1)->child(0)->child(3)->text(1), "33");
     row(1)->child(2)->setExpanded(true);

@@ -5,6 +5,7 @@
 #include "editor/kit/inputs/text_question.h"
 #include "editor/kit/theme.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/patience.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -150,10 +151,12 @@ TEST_F(StudioTest, ASpeedIsTypedAndTakenByOneEnter) {
     bool isClosed = false;
     QTimer::singleShot(0, [&isClosed] {
         QPointer<QWidget> dialog;
-        ASSERT_TRUE(QTest::qWaitFor([&dialog] {
-            dialog = QApplication::activeModalWidget();
-            return dialog && dialog->isAncestorOf(QApplication::focusWidget());
-        }));
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&dialog] {
+                dialog = QApplication::activeModalWidget();
+                return dialog && dialog->isAncestorOf(QApplication::focusWidget());
+            },
+            kPatience));
         for (const char key : {'0', '.', '5'})
             QTest::keyClick(QApplication::focusWidget(), key); // the first letters of "0.5 ×"
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);

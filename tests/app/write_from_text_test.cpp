@@ -41,7 +41,7 @@ END_PROGRAM
 )";
 
 /// As soon as `isReady`; within the event loops of menus and dialogs as well.
-void soon(const std::function<bool()>& isReady, const std::function<void()>& act, int tries = 300) {
+void soon(const std::function<bool()>& isReady, const std::function<void()>& act, int tries = kPatience / 20) {
     QTimer::singleShot(20, qApp, [=] {
         if (isReady()) return act();
         ASSERT_GT(tries, 0) << "it never came";

@@ -15,7 +15,7 @@
 namespace plc {
 namespace {
 
-constexpr std::chrono::seconds kPatience{8};           // of somebody who has pressed F5
+constexpr std::chrono::seconds kWatched{8};            // of somebody who has pressed F5
 constexpr size_t kLeastElements = 2, kLeastValues = 2; // that are something else by then
 
 class Start : public ::testing::TestWithParam<std::string> {};
@@ -31,13 +31,13 @@ TEST_P(Start, MovesItsPanelWithinSecondsWithoutAHand) {
     const auto arguments = cli::Arguments::parse(cli::panelCommand().spec, {});
     ASSERT_TRUE(arguments) << arguments.error().english();
     session::Session session(std::move(built), session::Settings{});
-    const auto ran = cli::runProject(*arguments, session.built(), session, kPatience, "");
+    const auto ran = cli::runProject(*arguments, session.built(), session, kWatched, "");
     ASSERT_TRUE(ran) << ran.error().english();
     EXPECT_FALSE(session.controller().fault()) << session.controller().fault()->message.english();
 
     ShownElements shown(panels, session);
     shown.add(*panel);
-    EXPECT_EQ(shown.watch(kPatience), "");
+    EXPECT_EQ(shown.watch(kWatched), "");
     const std::set<std::string> moved = shown.moved();
     std::cout << GetParam() << ": " << moved.size() << " of " << shown.count() << " elements with values change, "
               << shown.movedValues() << " values:";

@@ -3,6 +3,7 @@
 #include "projects/session/session.h"
 #include "runtime/compiler/driver/driver.h"
 #include "tests/support/kinds_of_long_scans.h"
+#include "tests/support/patience.h"
 #include "tests/support/processor_time.h"
 
 #include <gtest/gtest.h>
@@ -266,7 +267,8 @@ public:
         const auto begin = std::chrono::steady_clock::now();
         const double used = processorSeconds();
         ask(*session);
-        while (session->status().state != controller::State::Stopped && std::chrono::steady_clock::now() - begin < 60s)
+        while (session->status().state != controller::State::Stopped &&
+               std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(kPatience))
             std::this_thread::sleep_for(1ms); // a duration: between two looks
         EXPECT_EQ(session->status().state, controller::State::Stopped);
         return processorSeconds() - used;

@@ -7,6 +7,7 @@
 #include "hmi/player/pop_up.h"
 #include "hmi/view/lists/recipe_view.h"
 #include "running.h"
+#include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
 #include <QPushButton>
@@ -61,11 +62,13 @@ struct Plant {
     }
     template <class Box> Box* box() {
         Box* found = nullptr;
-        EXPECT_TRUE(QTest::qWaitFor([&] {
-            for (Box* one : player->findChildren<Box*>())
-                if (one->isVisible()) found = one;
-            return found != nullptr;
-        }));
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                for (Box* one : player->findChildren<Box*>())
+                    if (one->isVisible()) found = one;
+                return found != nullptr;
+            },
+            kPatience));
         return found;
     }
     void enter(const char* text) {

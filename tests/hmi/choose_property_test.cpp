@@ -4,6 +4,7 @@
 #include "hmi/designer/context/applicable.h"
 #include "hmi/designer/panel_designer.h"
 
+#include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
 #include <QAbstractItemView>
@@ -27,7 +28,7 @@ QComboBox* openList(Studio& studio, const QString& id) {
     kit::PropertyGrid& grid = studio.designer->sheet().grid();
     grid.editProperty(id);
     auto* list = grid.viewport()->findChild<QComboBox*>();
-    return list && QTest::qWaitFor([&] { return list->view()->isVisible(); }) ? list : nullptr;
+    return list && QTest::qWaitFor([&] { return list->view()->isVisible(); }, kPatience) ? list : nullptr;
 }
 
 TEST(ChooseProperty, AButtonThatOpensAPanelAsksForThePanelAndItsArguments) {
@@ -76,7 +77,7 @@ TEST(ChooseProperty, LeavingTheListChangesNothingAndIsNoStep) {
         QTest::keyClick(list->view(), Qt::Key_Down);
         EXPECT_NE(studio.panel().write(), before) << id << " is previewed";
         QTest::keyClick(list->view(), Qt::Key_Escape);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !list; })) << id << ": nothing is left in the cell";
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !list; }, kPatience)) << id << ": nothing is left in the cell";
         EXPECT_EQ(studio.panel().write(), before) << id;
         EXPECT_TRUE(studio.designer->document().isClean()) << id;
         EXPECT_EQ(studio.designer->document().undoStack().count(), 0) << id;
@@ -109,10 +110,12 @@ TEST(ChooseProperty, OneClickOpensTheListAndEveryChoiceIsReadable) {
     QWindow* window = grid.window()->windowHandle();
     QTest::mousePress(window, Qt::LeftButton, {}, window->mapFromGlobal(global));
     QPointer<QComboBox> list;
-    ASSERT_TRUE(QTest::qWaitFor([&] {
-        list = grid.viewport()->findChild<QComboBox*>();
-        return list && list->view()->isVisible();
-    }));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            list = grid.viewport()->findChild<QComboBox*>();
+            return list && list->view()->isVisible();
+        },
+        kPatience));
     QWindow* popup = list->view()->window()->windowHandle();
     QTest::mouseRelease(popup, Qt::LeftButton, {}, popup->mapFromGlobal(global));
     settle();

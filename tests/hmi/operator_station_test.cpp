@@ -1,6 +1,7 @@
 // What an operator does and what comes of it, with no window anywhere: the logic that the Qt player and a browser's
 // panel share.
 #include "running.h"
+#include "tests/support/patience.h"
 
 #include "hmi/people/password.h"
 #include "hmi/station/operator_station.h"
@@ -39,7 +40,7 @@ struct Operated : testing::Test {
                 station->frame(now);
                 return condition();
             },
-            60'000);
+            kPatience);
     }
     bool waitFor(const char* expression) {
         const BindingId id = station->values()->bind(QLatin1String(expression));

@@ -3,6 +3,7 @@
 
 #include "hmi/player/keypad.h"
 #include "hmi/player/player_status.h"
+#include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
 #include <QPushButton>
@@ -129,7 +130,7 @@ TEST(Player, AfterARefusedNumberTheNextDigitBeginsAnother) {
     EXPECT_EQ(keypad->entered().toStdString(), "42");
     QTest::keyClick(keypad, Qt::Key_Return);
     EXPECT_TRUE(machine.waitFor("Main.level = 42.0"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !machine.player->overlay(); }, 8000)) << "it is deleted later";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !machine.player->overlay(); }, kPatience)) << "it is deleted later";
     // A code that is not whole is completed.
     keypad = opened(120);
     ASSERT_TRUE(keypad);

@@ -3,6 +3,7 @@
 #include "hmi/player/panel_commands.h"
 #include "hmi/player/panel_player.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 #include <gtest/gtest.h>
@@ -88,7 +89,7 @@ template <class Condition> bool waitFor(PanelPlayer& player, Condition condition
             player.frame();
             return condition();
         },
-        60'000);
+        kPatience);
 }
 
 } // namespace plc::hmi

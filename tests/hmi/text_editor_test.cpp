@@ -3,6 +3,7 @@
 #include "hmi/designer/editors/language_choice.h"
 #include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
+#include "tests/support/patience.h"
 
 #include "editor/kit/inputs/text_question.h"
 
@@ -109,7 +110,7 @@ TEST(Texts, ALanguageIsTakenOutByTheMenuOfItsColumnAndUndoBringsItBack) {
     editor.show();
     editor.activateWindow();
     editor.setFocus();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return editor.view().hasFocus(); }, 8000)) << "not the search line";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return editor.view().hasFocus(); }, kPatience)) << "not the search line";
     const std::string before = studio.project.texts.table().write();
     const int column = TextModel::FirstLanguage + static_cast<int>(studio.project.texts.table().tags().indexOf("da"));
     QHeaderView* header = editor.view().horizontalHeader();

@@ -1,6 +1,7 @@
 #include "projects/session/session.h"
 #include "tests/runtime/hand_made_program.h"
 #include "tests/support/eventually.h"
+#include "tests/support/patience.h"
 
 #include <gtest/gtest.h>
 
@@ -224,7 +225,7 @@ TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
 
 /// Looks without a pause, as somebody does who happens to look at the worst moment.
 bool becomes(const Session& session, PlcState state) {
-    const auto latest = std::chrono::steady_clock::now() + 30s;
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::milliseconds(kPatience);
     while (session.status().state != state)
         if (std::chrono::steady_clock::now() > latest) return false;
     return true;

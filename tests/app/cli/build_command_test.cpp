@@ -2,6 +2,7 @@
 // machine and, by emulation, on the other; what it refuses.
 #include "tests/app/cli/command_fixture.h"
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 
 #include <QProcess>
 
@@ -34,7 +35,7 @@ protected:
         for (const std::string& word : words) all << QString::fromStdString(word);
         QProcess process;
         process.start(isEmulated ? QString("qemu-aarch64-static") : QString::fromStdString(program), all);
-        EXPECT_TRUE(process.waitForFinished(240'000)) << process.errorString().toStdString();
+        EXPECT_TRUE(process.waitForFinished(4 * kPatience)) << process.errorString().toStdString();
         said = (process.readAllStandardOutput() + process.readAllStandardError()).toStdString();
         return process.exitCode();
     }

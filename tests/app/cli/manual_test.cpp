@@ -1,6 +1,7 @@
 // Manual pages and completions say what the commands' tables say, in forms that man, bash and zsh read without
 // complaint.
 #include "tests/app/cli/command_fixture.h"
+#include "tests/support/patience.h"
 
 #include <QProcess>
 
@@ -18,7 +19,7 @@ protected:
         QProcess process;
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.start(program, words);
-        EXPECT_TRUE(process.waitForFinished(60'000)) << program.toStdString();
+        EXPECT_TRUE(process.waitForFinished(kPatience)) << program.toStdString();
         EXPECT_EQ(process.exitCode(), 0) << program.toStdString();
         return process.readAll().toStdString();
     }

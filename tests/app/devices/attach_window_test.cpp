@@ -4,6 +4,7 @@
 #include "app/window_commands.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -30,12 +31,12 @@ protected:
     void TearDown() override {
         StudioTest::TearDown();
         service.kill();
-        service.waitForFinished();
+        service.waitForFinished(kPatience);
     }
     void serve(const QString& port) {
         service.start(QString::fromStdString(binaryDir() + "/bin/stepwise"),
                       {"serve", folder.path(), "--port", port, "--state", folder.filePath("state")});
-        ASSERT_TRUE(waitFor([&] { return service.canReadLine() || service.state() == QProcess::NotRunning; }, 60'000));
+        ASSERT_TRUE(waitFor([&] { return service.canReadLine() || service.state() == QProcess::NotRunning; }));
         url = QString::fromUtf8(service.readLine()).section(u' ', -1).trimmed();
         ASSERT_TRUE(url.startsWith("http")) << service.readAllStandardError().toStdString();
     }
@@ -46,7 +47,7 @@ protected:
     Attachment& attachment() { return attachmentOf(*window); }
     void attach() {
         ASSERT_TRUE(attachment().attach({QUrl(url), code(), {}, {}}));
-        ASSERT_TRUE(waitFor([&] { return attachment().isAttached(); }, 60'000));
+        ASSERT_TRUE(waitFor([&] { return attachment().isAttached(); }));
     }
     QString value(const char* path) { return window->control().value(path).text; }
     QProcess service;
@@ -106,12 +107,12 @@ TEST_F(AttachedWindow, SaysThatTheLineIsLostAndComesBack) {
     attach();
     const QString port = QString::number(QUrl(url).port());
     service.kill();
-    ASSERT_TRUE(service.waitForFinished());
+    ASSERT_TRUE(service.waitForFinished(kPatience));
     EXPECT_TRUE(waitFor([&] { return attachment().button()->text().contains("lost"); }));
     EXPECT_TRUE(window->control().session()->isMirror()) << "what came stays";
     serve(port);
     using Remote = editor::RemoteController::State;
-    EXPECT_TRUE(waitFor([&] { return attachment().controller().state() == Remote::Attached; }, 60'000));
+    EXPECT_TRUE(waitFor([&] { return attachment().controller().state() == Remote::Attached; }));
     const auto recorded = window->control().shownHistory()->statistics().end;
     EXPECT_TRUE(waitFor([&] { return window->control().shownHistory()->statistics().end > recorded + 5; }));
 }

@@ -1,5 +1,6 @@
 // `stepwise lsp` with a real editor: Neovim, set up by the lines of docs/editors.md.
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QFile>
@@ -45,8 +46,8 @@ TEST(Neovim, WorksWithTheSetUpOfTheDocumentation) {
     neovim.setProcessChannelMode(QProcess::MergedChannels);
     neovim.start("nvim", {"--headless", "-n", "-i", "NONE", "-u", init.fileName(), "-c",
                           "luafile " + source + "/tests/app/editors/neovim.lua"});
-    ASSERT_TRUE(neovim.waitForStarted(60'000)) << "neovim is missing: .ci/packages.txt names it";
-    ASSERT_TRUE(neovim.waitForFinished(300'000));
+    ASSERT_TRUE(neovim.waitForStarted(kPatience)) << "neovim is missing: .ci/packages.txt names it";
+    ASSERT_TRUE(neovim.waitForFinished(5 * kPatience));
     const QByteArray output = neovim.readAll();
     EXPECT_EQ(neovim.exitCode(), 0) << output.toStdString();
     EXPECT_TRUE(output.contains("all good")) << output.toStdString();

@@ -1,5 +1,6 @@
 // `stepwise lsp`, `dap` and `mcp` as the processes that a client starts: over real pipes, to their end.
 #include "tests/support/paths.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QFile>
@@ -19,11 +20,11 @@ class Peer {
 public:
     Peer(const QStringList& words, bool hasHeads) : m_hasHeads(hasHeads) {
         m_process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"), words);
-        EXPECT_TRUE(m_process.waitForStarted(60'000));
+        EXPECT_TRUE(m_process.waitForStarted(kPatience));
     }
     ~Peer() {
         m_process.kill();
-        m_process.waitForFinished();
+        m_process.waitForFinished(kPatience);
     }
     void send(const QByteArray& message, const QByteArray& next = {}) {
         QByteArray bytes;
@@ -36,7 +37,7 @@ public:
     const QJsonObject read() { // const: the values in it are not references
         QByteArray message;
         while (!take(message))
-            if (!m_process.waitForReadyRead(120'000) && m_process.bytesAvailable() == 0) {
+            if (!m_process.waitForReadyRead(2 * kPatience) && m_process.bytesAvailable() == 0) {
                 ADD_FAILURE() << "no message came; " << m_process.readAllStandardError().toStdString();
                 return {};
             }
@@ -51,7 +52,7 @@ public:
     }
     int end() {
         m_process.closeWriteChannel();
-        EXPECT_TRUE(m_process.waitForFinished(60'000));
+        EXPECT_TRUE(m_process.waitForFinished(kPatience));
         return m_process.exitCode();
     }
     const QJsonObject call(const char* tool, const QJsonObject& arguments) {
@@ -158,7 +159,7 @@ TEST(Lsp, ShowsTheValuesOfARunningController) {
     EXPECT_EQ(peer.readUntil("method", "workspace/inlayHint/refresh")["method"], "workspace/inlayHint/refresh");
     EXPECT_EQ(hints(3).at(0).toObject()["label"], "n = 7");
     service.kill();
-    service.waitForFinished();
+    service.waitForFinished(kPatience);
     EXPECT_EQ(peer.readUntil("method", "workspace/inlayHint/refresh")["method"], "workspace/inlayHint/refresh");
     EXPECT_TRUE(hints(4).isEmpty()) << "it is gone";
 }
@@ -166,7 +167,7 @@ TEST(Lsp, ShowsTheValuesOfARunningController) {
 TEST(Lsp, SaysWhatIsMissingToAttach) {
     QProcess process;
     process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"), {"lsp", "--attach", "http://127.0.0.1:1/"});
-    ASSERT_TRUE(process.waitForFinished(60'000));
+    ASSERT_TRUE(process.waitForFinished(kPatience));
     EXPECT_EQ(process.exitCode(), 2);
     EXPECT_TRUE(process.readAllStandardError().contains("--code"));
 }

@@ -7,6 +7,7 @@
 #include "runtime/debug/sites.h"
 #include "served.h"
 #include "tests/hmi/running.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QTcpServer>
@@ -283,7 +284,7 @@ struct Certificate {
         make.start("openssl",
                    QStringList{"req", "-x509", "-newkey"} + kind +
                        QStringList{"-nodes", "-days", "2", "-subj", "/CN=plant", "-keyout", key, "-out", file});
-        EXPECT_TRUE(make.waitForFinished(60'000));
+        EXPECT_TRUE(make.waitForFinished(kPatience));
         EXPECT_EQ(make.exitCode(), 0) << make.readAllStandardError().toStdString();
     }
 };
@@ -395,7 +396,7 @@ struct Words {
 Words stepwise(const QStringList& words) {
     QProcess process;
     process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"), words);
-    EXPECT_TRUE(waitUntil([&] { return process.state() == QProcess::NotRunning; }, 120'000));
+    EXPECT_TRUE(waitUntil([&] { return process.state() == QProcess::NotRunning; }, 2 * kPatience));
     return {process.readAllStandardOutput(), process.readAllStandardError(), process.exitCode()};
 }
 
@@ -463,7 +464,7 @@ TEST(AttachCommand, DoesItsWorkFromASecondProcessUnderLoad) {
     EXPECT_TRUE(wrong.err.contains("The code is wrong")) << wrong.err.toStdString();
     EXPECT_EQ(stepwise({"attach", service.url}).code, 2);
     ::kill(static_cast<pid_t>(service.process.processId()), SIGTERM);
-    EXPECT_TRUE(service.process.waitForFinished(20'000));
+    EXPECT_TRUE(service.process.waitForFinished(kPatience));
 }
 
 TEST(Attach, ComesBackByItselfWhenTheControllerWasRestarted) {
@@ -479,11 +480,11 @@ TEST(Attach, ComesBackByItselfWhenTheControllerWasRestarted) {
     ASSERT_TRUE(waitUntil([&] { return mirror && mirror->history().statistics().scans > 20; }));
     const QString port = QString::number(QUrl(service->url).port());
     service->process.kill();
-    service->process.waitForFinished();
+    service->process.waitForFinished(kPatience);
     ASSERT_TRUE(waitUntil([&] { return run.controller().state() == State::Lost; }));
     EXPECT_FALSE(run.controller().problem().isEmpty());
     service = std::make_unique<Service>(QStringList{files.program, "--state", files.state}, port);
-    ASSERT_TRUE(waitUntil([&] { return run.controller().state() == State::Attached; }, 60'000));
+    ASSERT_TRUE(waitUntil([&] { return run.controller().state() == State::Attached; }));
     const auto recorded = mirror->history().statistics().end;
     EXPECT_TRUE(waitUntil([&] { return mirror->history().statistics().end > recorded + 20; }));
     EXPECT_GE(mirror->history().branches().size(), 1u) << "what was recorded before stays";

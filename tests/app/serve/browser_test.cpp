@@ -5,6 +5,7 @@
 #include "thousand_elements.h"
 
 #include "tests/hmi/running.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -83,7 +84,7 @@ void expectSamePictures(Chromium& chromium, const std::string& example) {
                     worst = difference(mine, theirs);
                     return worst <= 0.01;
                 },
-                5000);
+                kPatience);
             EXPECT_TRUE(isSame && worst <= 0.01) << name.toStdString() << ": " << worst * 100 << " %";
             std::printf("%-40s %.3f %%\n", name.toUtf8().constData(), worst * 100);
             if (worst > 0.01) keepPictures(name, mine, theirs);
@@ -115,7 +116,7 @@ TEST_F(Browser, WhatIsRepaintedInPartsIsThePictureOfTheWhole) {
         served.machine->startThread({session::Pace::Real});
         const auto page = s_chromium->open(served.url("panel/" + served.panels.startPanel + "?bare&scale=1"),
                                            served.panels.find(served.panels.startPanel)->panel.size());
-        ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.display.painted > 40"), 60'000)) << example;
+        ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.display.painted > 40"))) << example;
         const QJsonArray urls = page->evaluate(QStringLiteral("stepwise.display.pictures('both')")).toArray();
         ASSERT_EQ(urls.size(), 2);
         EXPECT_LT(difference(image(urls[0].toString()), image(urls[1].toString())), 0.0005) << example;
@@ -162,7 +163,7 @@ void measureBrowsers(Chromium& chromium, size_t count, double scale) {
     for (size_t i = 0; i < count; ++i)
         pages.push_back(chromium.open(service.url + "panel/main?bare&scale=" + QString::number(scale),
                                       (QSizeF(1920, 1080) * scale).toSize()));
-    for (const auto& page : pages) ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.shown > 30"), 120'000));
+    for (const auto& page : pages) ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.shown > 30"), 2 * kPatience));
     const auto frames = [&] {
         std::vector<double> out;
         for (const auto& page : pages) out.push_back(page->evaluate(QStringLiteral("stepwise.shown")).toDouble());
@@ -173,7 +174,7 @@ void measureBrowsers(Chromium& chromium, size_t count, double scale) {
     const double serverBefore = service.processorSeconds();
     QElapsedTimer clock;
     clock.start();
-    EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 4000; }, 60'000));
+    EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 4000; }));
     const double seconds = static_cast<double>(clock.elapsed()) / 1000;
     const std::vector<double> after = frames();
     const double server = service.processorSeconds() - serverBefore;
@@ -192,7 +193,7 @@ void measureBrowsers(Chromium& chromium, size_t count, double scale) {
                 count, scale, sum / seconds / static_cast<double>(count), least, perFrame("renderer"), perFrame("GPU"),
                 perFrame("browser"), 1000 * server / sum);
     service.process.terminate();
-    EXPECT_TRUE(service.process.waitForFinished(60'000));
+    EXPECT_TRUE(service.process.waitForFinished(kPatience));
 }
 
 TEST_F(Browser, AThousandChangingElementsInOneBrowser) { measureBrowsers(*s_chromium, 1, 1); }
@@ -237,7 +238,7 @@ TEST_F(Browser, EachPersonHasALanguageAndComesBackAfterACut) {
     ASSERT_TRUE(danish->waitFor("document.getElementById('state').className == 'bad'"));
     served.server = std::make_unique<Server>(served.panels, *served.machine, byAccessCode(kCode), settings);
     ASSERT_TRUE(served.server->start());
-    EXPECT_TRUE(danish->waitFor("document.getElementById('state').className == ''", 30'000));
+    EXPECT_TRUE(danish->waitFor("document.getElementById('state').className == ''"));
     EXPECT_EQ(danish->evaluate("stepwise.panel.language").toString(), "da");
 }
 

@@ -32,20 +32,18 @@ bool Chromium::start() {
                      "--disable-backgrounding-occluded-windows", "--force-color-profile=srgb", "--hide-scrollbars",
                      "--force-device-scale-factor=1", "--ignore-certificate-errors", "--remote-allow-origins=*",
                      "--remote-debugging-port=0", "--user-data-dir=" + m_profile.path(), "about:blank"});
-    if (!m_process.waitForStarted(20'000)) {
+    if (!m_process.waitForStarted(kPatience)) {
         m_problem = QStringLiteral("chromium cannot be started: ") + m_process.errorString();
         return false;
     }
     QStringList lines;
     const QString file = m_profile.filePath(QStringLiteral("DevToolsActivePort"));
-    const bool isThere = waitUntil(
-        [&] {
-            QFile port(file);
-            if (!port.open(QIODevice::ReadOnly)) return false;
-            lines = QString::fromUtf8(port.readAll()).split(u'\n');
-            return lines.size() >= 2 && !lines[1].isEmpty();
-        },
-        60'000);
+    const bool isThere = waitUntil([&] {
+        QFile port(file);
+        if (!port.open(QIODevice::ReadOnly)) return false;
+        lines = QString::fromUtf8(port.readAll()).split(u'\n');
+        return lines.size() >= 2 && !lines[1].isEmpty();
+    });
     if (!isThere) return false;
     QObject::connect(&m_socket, &QWebSocket::textMessageReceived, &m_socket, [this](const QString& text) {
         const QJsonObject message = QJsonDocument::fromJson(text.toUtf8()).object();
@@ -68,7 +66,7 @@ QJsonObject Chromium::call(const QString& method, const QJsonObject& parameters,
     QJsonObject message{{"id", id}, {"method", method}, {"params", parameters}};
     if (!session.isEmpty()) message["sessionId"] = session;
     m_socket.sendTextMessage(QString::fromUtf8(QJsonDocument(message).toJson(QJsonDocument::Compact)));
-    EXPECT_TRUE(waitUntil([&] { return m_answers.contains(id) || !isRunning(); }, 60'000)) << method.toStdString();
+    EXPECT_TRUE(waitUntil([&] { return m_answers.contains(id) || !isRunning(); })) << method.toStdString();
     const QJsonObject answer = m_answers.take(id);
     EXPECT_FALSE(answer.contains("error")) << QJsonDocument(answer).toJson().toStdString();
     return answer["result"].toObject();

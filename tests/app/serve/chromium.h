@@ -2,6 +2,8 @@
 // types. The calls turn the event loop meanwhile, so a server in the same process goes on. Owned by a test; main
 // thread.
 #pragma once
+#include "tests/support/patience.h"
+
 #include <QImage>
 #include <QJsonObject>
 #include <QJsonValue>
@@ -16,7 +18,7 @@
 namespace plc::serve {
 
 /// Turns the event loop until it is so; false after the time.
-bool waitUntil(const std::function<bool()>& condition, int milliseconds = 20'000);
+bool waitUntil(const std::function<bool()>& condition, int milliseconds = kPatience);
 
 class Chromium;
 
@@ -27,7 +29,7 @@ public:
     ~Page();
     /// The value of a JavaScript expression; a promise is waited for.
     QJsonValue evaluate(const QString& expression);
-    bool waitFor(const QString& expression, int milliseconds = 20'000);
+    bool waitFor(const QString& expression, int milliseconds = kPatience);
     void mouse(const char* type, QPointF at);
     /// A place of the canvas.
     void click(QPointF at);

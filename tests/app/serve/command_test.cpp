@@ -2,6 +2,7 @@
 #include "chromium.h"
 #include "served.h"
 #include "service.h"
+#include "tests/support/patience.h"
 
 #include "projects/session/versions.h"
 #include "runtime/controller/retain.h"
@@ -47,7 +48,7 @@ TEST(ServeCommand, RunsUntilItIsAskedToStopAndKeepsEverything) {
         Service service({files.program, "--state", files.state});
         ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() > 50; }));
         ::kill(static_cast<pid_t>(service.process.processId()), SIGTERM);
-        ASSERT_TRUE(service.process.waitForFinished(20'000));
+        ASSERT_TRUE(service.process.waitForFinished(kPatience));
         EXPECT_EQ(service.process.exitCode(), 0);
         EXPECT_TRUE(service.process.readAllStandardOutput().contains("stopped after "));
         EXPECT_EQ(QDir(files.state + "/recording").entryList({"*.rec"}).size(), start + 1);
@@ -81,7 +82,7 @@ TEST(ServeCommand, KilledAtAnyMomentItHasLostNoMoreThanASecond) {
         double scans = 0;
         ASSERT_TRUE(waitUntil([&] { return (scans = service.status()["scans"].toDouble()) >= want; }));
         service.process.kill();
-        ASSERT_TRUE(service.process.waitForFinished());
+        ASSERT_TRUE(service.process.waitForFinished(kPatience));
         // A second, and as much again for a machine that does other things as well.
         constexpr double kLost = 200;
         atLeast += scans - kLost;
@@ -120,7 +121,7 @@ TEST(ServeCommand, SaysWhyItCannotStart) {
         QProcess process;
         process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"),
                       QStringList{"serve", files.program} + words);
-        EXPECT_TRUE(process.waitForFinished(60'000));
+        EXPECT_TRUE(process.waitForFinished(kPatience));
         EXPECT_EQ(process.exitCode(), 2);
         return process.readAllStandardError().toStdString();
     };
@@ -231,7 +232,7 @@ TEST(ServeCommand, ADayOnTrialIsWholeAndStaysWithinItsLimits) {
                 early = most;
             return service.process.state() == QProcess::NotRunning;
         },
-        1'200'000));
+        20 * kPatience));
     EXPECT_EQ(service.process.exitCode(), 0) << service.process.readAllStandardError().toStdString();
     const QString said = QString::fromUtf8(service.process.readAllStandardOutput());
     const double done = said.section("stopped after ", 1).section(' ', 0, 0).toDouble();
@@ -255,7 +256,7 @@ TEST(ServeCommand, SaysWhereItKeepsWhatOutlivesIt) {
     Service service({files.program, "--state", files.state});
     ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() > 0; }));
     ::kill(static_cast<pid_t>(service.process.processId()), SIGTERM);
-    ASSERT_TRUE(service.process.waitForFinished(20'000));
+    ASSERT_TRUE(service.process.waitForFinished(kPatience));
     EXPECT_TRUE(service.process.readAllStandardOutput().contains("retained variables and the recording are in " +
                                                                  files.state.toUtf8()));
 }

@@ -2,6 +2,7 @@
 // the machine, and its figures of late scans.
 #include "chromium.h"
 #include "served.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QFile>
@@ -50,18 +51,15 @@ protected:
                       QStringList{"serve", QString::fromStdString(exampleFolder("motor")), "--port", "0", "--state",
                                   folder.filePath("state")} +
                           words);
-        ASSERT_TRUE(waitUntil(
-            [&] {
-                said += process.readAllStandardOutput();
-                return said.contains("access-code") || process.state() == QProcess::NotRunning;
-            },
-            60'000))
-            << said.toStdString();
+        ASSERT_TRUE(waitUntil([&] {
+            said += process.readAllStandardOutput();
+            return said.contains("access-code") || process.state() == QProcess::NotRunning;
+        })) << said.toStdString();
         ASSERT_EQ(process.state(), QProcess::Running) << process.readAllStandardError().toStdString();
     }
     void stop() {
         ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
-        ASSERT_TRUE(process.waitForFinished(30'000));
+        ASSERT_TRUE(process.waitForFinished(kPatience));
         said += process.readAllStandardOutput();
         EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     }
@@ -84,7 +82,7 @@ TEST_F(RealTime, TheServiceManagerHearsThatItIsReadyAliveAndStopping) {
     start({}, {{"NOTIFY_SOCKET", path}, {"WATCHDOG_USEC", "600000"}});
     EXPECT_TRUE(waitUntil([&] { return manager.count("READY=1") == 1; }));
     EXPECT_EQ(manager.count("STATUS=serving Motor"), 1);
-    EXPECT_TRUE(waitUntil([&] { return manager.count("WATCHDOG=1") >= 3; }, 30'000));
+    EXPECT_TRUE(waitUntil([&] { return manager.count("WATCHDOG=1") >= 3; }));
     EXPECT_EQ(manager.count("STOPPING=1"), 0);
     stop();
     EXPECT_EQ(manager.count("STOPPING=1"), 1);

@@ -2,6 +2,7 @@
 #include "app/serve/recording_ring.h"
 #include "chromium.h"
 #include "served.h"
+#include "tests/support/patience.h"
 
 #include <QTemporaryDir>
 
@@ -71,10 +72,10 @@ TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
         RecordingRing ring(session,
                            {folder.path().toStdString(), limit, uint64_t(128) << 10, std::chrono::milliseconds(20)});
         session.startThread({session::Pace::Factor, 3});
-        ASSERT_TRUE(waitUntil([&] { return recordings(folder.path()).size() > 3 && ring.figures().bytes > limit / 2; },
-                              60'000));
+        ASSERT_TRUE(
+            waitUntil([&] { return recordings(folder.path()).size() > 3 && ring.figures().bytes > limit / 2; }));
         const history::Position before = session.history().statistics().end;
-        ASSERT_TRUE(waitUntil([&] { return session.history().statistics().end > before + 9'000; }, 60'000));
+        ASSERT_TRUE(waitUntil([&] { return session.history().statistics().end > before + 9'000; }));
         EXPECT_TRUE(ring.figures().problem.empty()) << ring.figures().problem;
         session.end();
     }
@@ -118,9 +119,9 @@ TEST(RecordingRing, ADayInTestTimeStaysWithinItsLimits) {
     {
         RecordingRing ring(session, {recording.toStdString(), limit, limit / 8, std::chrono::milliseconds(50)});
         session.startThread({session::Pace::Fastest});
-        ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay / 4; }, 600'000));
+        ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay / 4; }, 10 * kPatience));
         const uint64_t before = residentBytes();
-        ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay; }, 600'000));
+        ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay; }, 10 * kPatience));
         const uint64_t after = residentBytes();
         std::cout << "resident after six hours " << (before >> 10) << " kB, after the day " << (after >> 10) << " kB\n";
         EXPECT_LE(after, before + (uint64_t(16) << 20)) << "memory grows";
@@ -164,7 +165,7 @@ TEST(RecordingRing, TheWorstScansOfEarlierStartsGoWhenThereAreTooMany) {
     session::Session session(builtCounter());
     session.startThread({session::Pace::Real});
     RecordingRing ring(session, {folder.path().toStdString(), 1 << 20, 1 << 16, std::chrono::milliseconds(20), 30});
-    ASSERT_TRUE(waitUntil([&] { return recordings(QString::fromStdString(worst.string())).size() <= 30; }, 60'000));
+    ASSERT_TRUE(waitUntil([&] { return recordings(QString::fromStdString(worst.string())).size() <= 30; }));
     EXPECT_FALSE(fs::exists(nameOf(0))) << "the oldest first";
     EXPECT_TRUE(fs::exists(nameOf(39)));
     EXPECT_TRUE(fs::exists(worst / "notes.txt"));

@@ -190,7 +190,7 @@ bool scansGoOn(const session::Session& machine, uint64_t count) {
     QElapsedTimer clock;
     clock.start();
     while (machine.status().scans < before + count)
-        if (clock.elapsed() > 20'000) return false;
+        if (clock.elapsed() > kPatience) return false;
     return true;
 }
 

@@ -22,8 +22,7 @@ struct Service {
     explicit Service(const QStringList& words, const QString& port = "0") {
         process.start(qEnvironmentVariable("STEPWISE_PROGRAM", QString::fromStdString(binaryDir() + "/bin/stepwise")),
                       QStringList{"serve", "--port", port} + words);
-        EXPECT_TRUE(
-            waitUntil([&] { return process.canReadLine() || process.state() == QProcess::NotRunning; }, 60'000));
+        EXPECT_TRUE(waitUntil([&] { return process.canReadLine() || process.state() == QProcess::NotRunning; }));
         url = QString::fromUtf8(process.readLine()).section(u' ', -1).trimmed();
         EXPECT_TRUE(url.startsWith("http")) << process.readAllStandardError().toStdString();
     }

@@ -1,5 +1,6 @@
 // Letters of menus and dialogs: each text has one where letters last, no two are alike, and what is written stays.
 #include "editor/kit/mnemonics.h"
+#include "tests/support/patience.h"
 
 #include <QAction>
 #include <QApplication>
@@ -81,7 +82,7 @@ TEST(Mnemonics, ALetterPressesTheButtonOfADialog) {
     form->addRow(check);
     dialog.show();
     dialog.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog, kPatience));
     auto* label = qobject_cast<QLabel*>(form->labelForField(name));
     const auto press = [&](const QString& text) {
         ASSERT_FALSE(letterOf(text).isNull()) << text.toStdString();
@@ -89,7 +90,8 @@ TEST(Mnemonics, ALetterPressesTheButtonOfADialog) {
     };
     EXPECT_NE(letterOf(check->text()), letterOf(label->text()));
     press(check->text());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return check->isChecked(); })); // pressed for a moment, as a finger does
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return check->isChecked(); }, kPatience)); // pressed for a moment, as a finger does
     press(label->text());
     EXPECT_TRUE(name->hasFocus());
 }

@@ -7,6 +7,7 @@
 #include "editor/trace/recording/table_recording.h"
 #include "editor/trace/trace_view.h"
 #include "tests/editor/trace/fake_recording.h"
+#include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
 #include <QComboBox>
@@ -62,7 +63,7 @@ protected:
         return true;
     }
     void waitUntilDrawn() {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.figurePane()->isBusy(); }, 20'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.figurePane()->isBusy(); }, plc::kPatience));
     }
     [[nodiscard]] const plc::plot::Figure& figure() const { return view.figurePane()->view()->figure(); }
 

@@ -9,6 +9,7 @@
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 #include "tests/support/eventually.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QDir>
@@ -135,7 +136,7 @@ TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
     view.show();
     for (int i = 0; i < 6; ++i) {
         const uint64_t before = session.status().scans;
-        ASSERT_TRUE(QTest::qWaitFor([&] { return session.status().scans > before + 5; }, 60'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return session.status().scans > before + 5; }, kPatience));
         ASSERT_TRUE(eventually([&] { return session.status().scans > before + 25; })); // busy with something else
         view.tick();
     }
@@ -186,7 +187,7 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
     view.show();
     for (int i = 0; i < 8; ++i) {
         const uint64_t before = session.status().scans;
-        ASSERT_TRUE(QTest::qWaitFor([&] { return session.status().scans > before + 5; }, 60'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return session.status().scans > before + 5; }, kPatience));
         const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(80); // the window is busy
         double work = 0;
         while (std::chrono::steady_clock::now() < until) work = std::sin(work + 1);
@@ -198,7 +199,7 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
     ASSERT_TRUE(eventually([&] { return session.status().state != controller::State::Running; }));
     const session::Status status = session.status();
     ASSERT_GT(status.scans, 200u);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return recording.statistics().scans == status.scans; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return recording.statistics().scans == status.scans; }, kPatience));
     for (int i = 0; i < 100 && view.plot()->model().curves[0].source->countIn(0, INT64_MAX) < status.scans; ++i)
         view.tick();
     const auto source = view.plot()->model().curves[0].source;

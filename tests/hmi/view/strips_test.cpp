@@ -1,5 +1,6 @@
 // A panel in a window of any size covers every pixel of it: nothing of what was there before is left in a strip.
 #include "hmi/view/panel_view.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QPaintEvent>
@@ -47,7 +48,7 @@ TEST(PanelView, APanelOfAnotherSizeOrThemeLeavesNothingOfTheOneBefore) {
     view.resize(800, 480);
     view.scene().setPanel(*Panel::parse(R"({"size":[800,480],"elements":[]})", QString()));
     view.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view, kPatience));
     view.frame();
     QApplication::processEvents();
     for (const char* next :

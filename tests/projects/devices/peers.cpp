@@ -3,6 +3,7 @@
 #include "projects/devices/configuration/device_check.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/inside/rerun.h"
+#include "tests/support/patience.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -229,7 +230,7 @@ void LiveRun::scan() {
 }
 
 bool LiveRun::scanUntil(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(kPatience);
     while (std::chrono::steady_clock::now() < end) {
         scan();
         if (condition()) return true;
