@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <span>
@@ -166,9 +167,25 @@ Reach runText(std::string_view bytes) {
     return Reach::Meant;
 }
 
+/// A pointer to what a unit had on its own, such as the place of a literal, leads nowhere when the unit has ended: a
+/// change makes it NULL.
+inline void forgetDeadPointers(const image::Layout& layout, std::span<std::byte> image) {
+    for (const image::Root& root : layout.roots)
+        layout.forEachLeaf(image::Layout::pathOf(root), {root.type, root.offset, root.bit},
+                           [&](const std::string&, const image::Place& at) {
+                               const types::TypeKind kind = layout.types->kind(at.type);
+                               if (kind != types::TypeKind::Pointer && kind != types::TypeKind::Reference) return true;
+                               uint64_t target = 0;
+                               std::memcpy(&target, image.data() + at.offset, sizeof target);
+                               if (target >= layout.dataEnd) std::memset(image.data() + at.offset, 0, sizeof target);
+                               return true;
+                           });
+}
+
 /// A program that is exchanged for itself keeps every value.
 inline void promiseKept(controller::Controller& controller) {
-    const std::vector<std::byte> before(controller.image().begin(), controller.image().end());
+    std::vector<std::byte> before(controller.image().begin(), controller.image().end());
+    forgetDeadPointers(controller.program().layout, before);
     const controller::OnlineChangeReport report = controller.changeProgram(controller.sharedProgram());
     promise(report.lost.empty() && report.initialised.empty());
     promise(holdsTheSame(controller.program(), before, controller.image()));
