@@ -1,5 +1,5 @@
-// Waits for what another thread does, at most as long as patience.h says. For tests
-// without an event loop; those with a window use QTest::qWaitFor and settle.h.
+// Waits for what another thread does, at most as long as patience.h says. For tests without an event loop; those with a
+// window use QTest::qWaitFor and settle.h.
 #pragma once
 #include "tests/support/patience.h"
 
