@@ -244,7 +244,7 @@ TypeId inheritFields(WorldBuilder& world, StructType& made, Fields& fields) {
 
 /// The type of a field, complete; Unknown after an error.
 TypeId fieldType(WorldBuilder& world, const StructType& made, const syntax::VarDecl& declaration) {
-    const TypeId type = resolveSpec(world, declaration.type, made.scope);
+    const TypeId type = resolvePart(world, declaration.type, made.scope);
     const SourceRange at = declaration.type ? declaration.type->range : declaration.range;
     // Fields are stored in the structure, so their size is needed now.
     if (!completeType(world, type, at)) return TypeTable::of(TypeKind::Unknown);

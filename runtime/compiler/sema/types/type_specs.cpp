@@ -245,7 +245,7 @@ TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scop
     case TypeSpecKind::Array:
         return resolveArray(world, *spec, scope);
     case TypeSpecKind::OpenArray: {
-        const TypeId element = resolveSpec(world, spec->element, scope);
+        const TypeId element = resolvePart(world, spec->element, scope);
         return world.types.kind(element) == TypeKind::Unknown
                    ? unknown
                    : nested(world, world.types.openArray(std::max<size_t>(1, spec->bounds.size()), element),
@@ -253,12 +253,12 @@ TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scop
     }
     case TypeSpecKind::Pointer:
     case TypeSpecKind::RefTo: {
-        const TypeId target = resolveSpec(world, spec->element, scope);
+        const TypeId target = resolvePart(world, spec->element, scope);
         return world.types.kind(target) == TypeKind::Unknown ? unknown
                                                              : nested(world, world.types.pointer(target), spec->range);
     }
     case TypeSpecKind::Reference: {
-        const TypeId target = resolveSpec(world, spec->element, scope);
+        const TypeId target = resolvePart(world, spec->element, scope);
         return world.types.kind(target) == TypeKind::Unknown
                    ? unknown
                    : nested(world, world.types.reference(target), spec->range);
@@ -293,10 +293,20 @@ TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scop
     return unknown;
 }
 
+/// What another type is made of. ARRAY[*] has its bounds from who calls: no array, structure or pointer has any to
+/// give.
+///   ok:    STRUCT a : ARRAY[1..3] OF INT; END_STRUCT      wrong: STRUCT a : ARRAY[*] OF INT; END_STRUCT  (P3018)
+TypeId resolvePart(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope) {
+    const TypeId type = resolveSpec(world, spec, scope);
+    if (world.types.kind(type) != TypeKind::OpenArray) return type;
+    world.emit(spec->range, findings::NotAllowedHere(Verbatim("ARRAY[*]"), phrases::Here()));
+    return TypeTable::of(TypeKind::Unknown);
+}
+
 ///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[3..1] OF INT  (P3027)
 TypeId resolveArray(WorldBuilder& world, const syntax::TypeSpec& spec, const Scope& scope) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
-    const TypeId element = resolveSpec(world, spec.element, scope);
+    const TypeId element = resolvePart(world, spec.element, scope);
     std::vector<types::Dimension> dimensions;
     bool good = world.types.kind(element) != TypeKind::Unknown;
     uint64_t count = 1;

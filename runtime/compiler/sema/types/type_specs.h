@@ -11,6 +11,7 @@ TypeId resolveDeclared(WorldBuilder& world, DeclaredType& type);
 [[nodiscard]] TypeId resolveDeclared(const Check& check, DeclaredType& type);
 TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope,
                    std::string_view anonymousName = {});
+TypeId resolvePart(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope);
 [[nodiscard]] uint32_t nestingOf(const World& world, TypeId type);
 void noteNesting(WorldBuilder& world, TypeId type, uint32_t nesting);
 bool checkSize(WorldBuilder& world, TypeId type, SourceRange range);
