@@ -16,6 +16,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
@@ -167,8 +168,15 @@ Reach runText(std::string_view bytes) {
     return Reach::Meant;
 }
 
-/// A pointer to what a unit had on its own, such as the place of a literal, leads nowhere when the unit has ended: a
-/// change makes it NULL.
+/// A variable lies there, and has an address.
+inline bool isAlive(const image::Layout& layout, uint64_t target) {
+    if (target < sizeof(image::ImageHeader) || target >= layout.dataEnd) return false;
+    const Result<image::Place> place = layout.find(layout.pathAt(static_cast<uint32_t>(target)));
+    return place && place->bit < 0;
+}
+
+/// A pointer to what a unit had on its own, such as the place of a literal, leads nowhere when the unit has ended, and
+/// neither does one that was calculated: a change makes it NULL.
 inline void forgetDeadPointers(const image::Layout& layout, std::span<std::byte> image) {
     for (const image::Root& root : layout.roots)
         layout.forEachLeaf(image::Layout::pathOf(root), {root.type, root.offset, root.bit},
@@ -177,17 +185,34 @@ inline void forgetDeadPointers(const image::Layout& layout, std::span<std::byte>
                                if (kind != types::TypeKind::Pointer && kind != types::TypeKind::Reference) return true;
                                uint64_t target = 0;
                                std::memcpy(&target, image.data() + at.offset, sizeof target);
-                               if (target >= layout.dataEnd) std::memset(image.data() + at.offset, 0, sizeof target);
+                               if (!isAlive(layout, target)) std::memset(image.data() + at.offset, 0, sizeof target);
                                return true;
                            });
 }
 
-/// A program that is exchanged for itself keeps every value.
+inline bool mayHoldPointer(const types::TypeTable& types, types::TypeId id) {
+    const types::Type& type = types[id];
+    if (type.kind == types::TypeKind::Array) return mayHoldPointer(types, type.element);
+    return type.kind == types::TypeKind::Pointer || type.kind == types::TypeKind::Reference ||
+           type.kind == types::TypeKind::Interface ||
+           std::ranges::any_of(type.fields, [&](const types::Field& each) { return mayHoldPointer(types, each.type); });
+}
+
+/// A program that is exchanged for itself keeps every value. A union that may hold a pointer begins again, and the
+/// report says so: which of its members counts is not known, and a pointer would have to be moved.
 inline void promiseKept(controller::Controller& controller) {
     std::vector<std::byte> before(controller.image().begin(), controller.image().end());
-    forgetDeadPointers(controller.program().layout, before);
+    const image::Layout& layout = controller.program().layout;
+    forgetDeadPointers(layout, before);
     const controller::OnlineChangeReport report = controller.changeProgram(controller.sharedProgram());
-    promise(report.lost.empty() && report.initialised.empty());
+    promise(report.lost == report.initialised);
+    for (const std::string& path : report.initialised) {
+        const Result<image::Place> place = layout.find(path);
+        promise(place && layout.types->kind(place->type) == types::TypeKind::Union &&
+                mayHoldPointer(*layout.types, place->type));
+        std::ranges::copy(controller.image().subspan(place->offset, (*layout.types)[place->type].size),
+                          before.begin() + place->offset);
+    }
     promise(holdsTheSame(controller.program(), before, controller.image()));
 }
 
@@ -211,9 +236,10 @@ inline std::string nameOf(const types::Type& type) {
     return std::to_string(static_cast<int>(type.kind)) + type.name + std::to_string(type.capacity);
 }
 
+constexpr size_t kMostLeaves = 2'000; // of a program, and of the paths in a report
+
 /// Of what has no address (two of those may share their bytes) and refers to nothing (what it refers to moves).
 inline Leaves leavesOf(const image::Layout& layout, std::span<const std::byte> image) {
-    constexpr size_t kMost = 2'000;
     Leaves out;
     for (const image::Root& root : layout.roots) {
         if (!root.address.empty() || root.constant || root.isHidden) continue;
@@ -226,7 +252,7 @@ inline Leaves leavesOf(const image::Layout& layout, std::span<const std::byte> i
                                const types::Value value =
                                    types::readValue(*layout.types, at.type, image.subspan(at.offset), at.bit);
                                out[path] = {nameOf((*layout.types)[at.type]), types::toText(*layout.types, value)};
-                               return out.size() < kMost;
+                               return out.size() < kMostLeaves;
                            });
     }
     return out;
@@ -234,7 +260,7 @@ inline Leaves leavesOf(const image::Layout& layout, std::span<const std::byte> i
 
 /// What the report calls kept has the value it had.
 inline void promiseCarried(const Leaves& before, const Leaves& after, const controller::OnlineChangeReport& report) {
-    for (const std::string& kept : report.kept)
+    for (const std::string& kept : report.kept | std::views::take(kMostLeaves))
         for (auto leaf = before.lower_bound(kept.substr(0, kept.find('['))); leaf != before.end(); ++leaf) {
             if (!leaf->first.starts_with(kept.substr(0, kept.find('[')))) break;
             if (!isUnder(leaf->first, kept)) continue;
