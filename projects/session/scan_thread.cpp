@@ -74,13 +74,14 @@ void Session::State::run() {
 
 void Session::State::drain() {
     leaveAskedAt = 0;
-    for (;;) { // a command may itself defer others
+    const uint64_t end = commands.pushed(); // what comes meanwhile waits for the next boundary: the scans go on
+    for (;;) {                              // a command may itself defer others
         std::optional<Command> command;
         if (!deferred.empty()) {
             command = std::move(deferred.front());
             deferred.pop_front();
         } else {
-            command = commands.pop();
+            command = commands.popBefore(end);
         }
         if (!command) break;
         command->run();
@@ -97,7 +98,8 @@ bool Session::State::leavesLongScan() {
     constexpr int64_t kPatience = 200'000'000; // an ordinary scan is over by then
     if (!isQueueing.load(std::memory_order_relaxed)) return false;
     bool isAsked = isQuitting.load(std::memory_order_acquire);
-    while (std::optional<Command> command = commands.pop()) {
+    const uint64_t end = commands.pushed();
+    while (std::optional<Command> command = commands.popBefore(end)) {
         isAsked = isAsked || command->when == When::Leave;
         deferred.push_back(std::move(*command));
     }
@@ -133,24 +135,24 @@ void Session::State::scanInRealTime(int64_t now, double factor) {
     afterScans(begin, end);
 }
 
-/// Virtual time: as many scans as fit into about a millisecond before looking at the clock again.
+/// Virtual time: as many scans as fit into about a millisecond before looking at the clock again; fewer, but one at
+/// least, when commands wait.
 void Session::State::scanFast() {
     int64_t begin = wallNow();
     haltedNs = 0;
     const int64_t last = std::max<int64_t>(lastScanNs.load(std::memory_order_relaxed), 100);
     const auto batch = std::clamp<int64_t>(1'000'000 / last, 1, 256);
     int64_t done = 0;
-    while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() && deferred.empty() &&
-           !isQuitting.load(std::memory_order_relaxed)) {
+    do {
         if (!writes.isEmpty()) writes.apply(controller, true, newRefusals);
         (void)controller.scan();
         ++done;
         if (pausesAfterScan) break; // asked for while it stood at a breakpoint
-    }
+    } while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() && deferred.empty() &&
+             !isQuitting.load(std::memory_order_relaxed));
     const int64_t end = wallNow();
     begin += haltedNs;
     needsAnchor = true;
-    if (done == 0) return;
     lastScanNs.store((end - begin) / done, std::memory_order_relaxed);
     afterScans(begin, end);
 }
@@ -208,7 +210,8 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
     bool isFresh = false, isCounted = false;
     while (!goesOn && !leavesScan) {
         if (isQuitting.load(std::memory_order_acquire)) leavesScan = true;
-        while (std::optional<Command> command = goesOn || leavesScan ? std::nullopt : commands.pop()) {
+        const uint64_t end = commands.pushed(); // what comes meanwhile wakes up again
+        while (std::optional<Command> command = goesOn || leavesScan ? std::nullopt : commands.popBefore(end)) {
             isFresh = false;
             if (command->when == When::Now) {
                 command->run();

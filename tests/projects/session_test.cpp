@@ -327,6 +327,27 @@ TEST(Session, RetainedValuesComeBackFromTheFile) {
     std::filesystem::remove(file);
 }
 
+TEST(Session, ScansGoOnWhileTheNextCommandAlwaysWaits) {
+    std::atomic<bool> isDone{false};
+    Session* running = nullptr;
+    const std::function<void(const controller::OnlineChangeReport&)> again = [&](const auto&) {
+        if (!isDone)
+            running->changeProgram(program(), again); // posted before the last one is done: there is always one
+    };
+    Session session(program());
+    running = &session;
+    for (const bool isFast : {true, false}) {
+        const uint64_t before = session.status().scans;
+        isDone = false;
+        session.startThread(isFast ? fastest() : real());
+        session.changeProgram(program(), again);
+        EXPECT_TRUE(eventually([&] { return session.status().scans > before + 100; })) << isFast;
+        isDone = true;
+        session.pause();
+        EXPECT_TRUE(eventually([&] { return session.status().state == controller::State::Paused; }));
+    }
+}
+
 TEST(Session, AnyThreadMayPostAndReadWhileScansRun) {
     Session session(program());
     session.startThread(fastest());

@@ -22,6 +22,22 @@ TEST(MpscQueue, GivesValuesInTheOrderInWhichTheyWerePushed) {
     EXPECT_EQ(queue.pop(), 4);
 }
 
+TEST(MpscQueue, WhoPopsUpToWhatWasPushedEndsWhileMoreComes) {
+    MpscQueue<int> queue;
+    for (const int value : {3, 1}) queue.push(value);
+    const uint64_t end = queue.pushed();
+    std::vector<int> taken;
+    while (const std::optional<int> value = queue.popBefore(end)) {
+        taken.push_back(*value);
+        queue.push(*value + 10); // another each time
+    }
+    EXPECT_EQ(taken, (std::vector<int>{3, 1}));
+    EXPECT_EQ(queue.popBefore(end + 1), 13);
+    EXPECT_EQ(queue.popBefore(end), std::nullopt) << "behind the end";
+    EXPECT_EQ(queue.pop(), 11);
+    EXPECT_EQ(queue.popBefore(queue.pushed()), std::nullopt);
+}
+
 TEST(MpscQueue, TakesValuesThatCanOnlyBeMoved) {
     MpscQueue<std::unique_ptr<std::string>> queue;
     queue.push(std::make_unique<std::string>("write"));
