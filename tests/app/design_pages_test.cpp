@@ -16,10 +16,10 @@
 #include <QMimeData>
 #include <QRegularExpression>
 #include <QStatusBar>
-#include <QTimer>
 
 #include "editor/kit/inputs/variable_picker.h"
 #include "hmi/designer/editors/recipe_editor.h"
+#include "tests/support/answer.h"
 #include "tests/support/settle.h"
 
 namespace plc::app {
@@ -34,19 +34,9 @@ protected:
         StudioTest::SetUp();
     }
     void TearDown() override {
-        if (window && window->workspace().isOpen()) answerNext(QMessageBox::Discard), window->closeProject();
+        if (window && window->workspace().isOpen())
+            pressInNext(window.get(), QMessageBox::Discard), window->closeProject();
         StudioTest::TearDown();
-    }
-    /// The next question is answered with that button, when there comes one.
-    void answerNext(QMessageBox::StandardButton button) {
-        QTimer::singleShot(150, window.get(), [button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            if (QAbstractButton* found = box->button(button))
-                found->click();
-            else
-                box->reject();
-        });
     }
     hmi::PanelDesigner* openFromTree(const QString& name) {
         QTreeWidget& tree = window->projectTree().tree();
@@ -134,10 +124,10 @@ TEST_F(DesignPagesTest, AClosedTabAsksForWhatWasDrawn) {
     hmi::PanelDesigner* designer = openFromTree("overview");
     ASSERT_NE(designer, nullptr);
     drop(*designer, "Main.done", {300, 200});
-    answerNext(QMessageBox::Cancel);
+    pressInNext(window.get(), QMessageBox::Cancel);
     window->action("file.closeTab")->trigger();
     EXPECT_EQ(window->tabs().currentWidget(), designer) << "cancelled: it stays";
-    answerNext(QMessageBox::Save);
+    pressInNext(window.get(), QMessageBox::Save);
     window->action("file.closeTab")->trigger();
     EXPECT_EQ(window->tabs().pageByKey("panel:overview"), nullptr);
     QFile file(folder.path() + "/hmi/overview.panel.json");

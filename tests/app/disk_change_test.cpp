@@ -11,13 +11,13 @@
 #include "hmi/designer/canvas/design_canvas.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
 #include <QMessageBox>
 #include <QStatusBar>
-#include <QTimer>
 #include <QTreeWidget>
 #include <Qsci/qsciscintilla.h>
 
@@ -62,21 +62,10 @@ protected:
         table.setText(key, "de", text);
         window->live().design()->setTable(table);
     }
-    /// What `find` looks for is used once, as soon as it is there: a busy machine takes its time.
-    template <class Find, class Use> static void asSoonAs(Find find, Use use) {
-        auto* look = new QTimer(qApp);
-        QObject::connect(look, &QTimer::timeout, look, [look, find, use] {
-            auto* found = find();
-            if (!found) return;
-            look->stop();
-            look->deleteLater();
-            use(*found);
-        });
-        look->start(20);
-    }
     /// The next question is answered with the button of that name.
     static void answerNext(const char* button) {
         asSoonAs(
+            qApp,
             [button]() -> QAbstractButton* {
                 const QWidget* box = QApplication::activeModalWidget();
                 return box ? box->findChild<QAbstractButton*>(button) : nullptr;
@@ -376,13 +365,12 @@ TEST_F(DiskChangeTest, TheLineOfAFaultAndTheLineOfAnErrorAreColoured) {
 TEST_F(DiskChangeTest, AComparisonIsOfferedAndItsTextGoesOn) {
     typeAtEnd("done := FALSE;");
     answerNext("compare");
-    asSoonAs([] { return qobject_cast<MergeDialog*>(QApplication::activeModalWidget()); },
-             [](MergeDialog& merge) {
-                 ASSERT_EQ(merge.hunks().size(), 2U);
-                 merge.goToHunk(0);
-                 merge.takeOver();
-                 merge.accept();
-             });
+    inNext<MergeDialog>(window.get(), [](MergeDialog& merge) {
+        ASSERT_EQ(merge.hunks().size(), 2U);
+        merge.goToHunk(0);
+        merge.takeOver();
+        merge.accept();
+    });
     write("src/main.st", QByteArray(kMain).replace(":= 1000", ":= 500"));
     EXPECT_TRUE(waitFor([&] { return editor().utf8().find(":= 500") != std::string::npos; }));
     EXPECT_NE(editor().utf8().find("done := FALSE;"), std::string::npos) << "mine, in the same text";

@@ -4,6 +4,7 @@
 #include "app/settings/settings_dialog.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -13,7 +14,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QTimer>
 
 namespace plc::app {
 namespace {
@@ -23,22 +23,13 @@ protected:
     /// Presses the button of the next question, as soon as it is asked; true from then on.
     static std::shared_ptr<bool> answerNext(QMessageBox::StandardButton button) {
         auto answered = std::make_shared<bool>(false);
-        auto* looks = new QTimer(qApp);
-        QElapsedTimer since;
-        since.start();
-        QObject::connect(looks, &QTimer::timeout, looks, [looks, since, button, answered] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box && since.elapsed() < kPatience) return;
-            looks->stop();
-            looks->deleteLater();
-            if (!box) return;
+        inNext<QMessageBox>(qApp, [button, answered](QMessageBox& box) {
             *answered = true;
-            if (QAbstractButton* found = box->button(button))
+            if (QAbstractButton* found = box.button(button))
                 found->click();
             else
-                box->reject();
+                box.reject();
         });
-        looks->start(20);
         return answered;
     }
     void breakAt(const char* text) {
@@ -63,15 +54,13 @@ TEST_F(KeptStateTest, AProjectThatCannotBeOpenedLeavesTheOneThatIsOpenAndRuns) {
 }
 
 TEST_F(KeptStateTest, ShortcutsAreSetInTheSettingsAndStay) {
-    QTimer::singleShot(200, window.get(), [&] {
-        auto* dialog = qobject_cast<SettingsDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        auto* table = dialog->findChild<QTableWidget*>();
+    inNext<SettingsDialog>(window.get(), [&](SettingsDialog& dialog) {
+        auto* table = dialog.findChild<QTableWidget*>();
         ASSERT_NE(table, nullptr);
         for (int row = 0; row < table->rowCount(); ++row)
             if (table->item(row, 0)->text() == window->action("run.speed")->text())
                 static_cast<QKeySequenceEdit*>(table->cellWidget(row, 1))->setKeySequence(QKeySequence("Ctrl+Alt+S"));
-        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+        dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
     });
     window->action("file.settings")->trigger();
     EXPECT_EQ(window->action("run.speed")->shortcut(), QKeySequence("Ctrl+Alt+S"));

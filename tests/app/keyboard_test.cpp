@@ -13,6 +13,7 @@
 #include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 #include "tests/support/patience.h"
 #include "tests/support/settle.h"
 
@@ -27,7 +28,6 @@
 #include <QTabBar>
 #include <QTableView>
 #include <QTableWidget>
-#include <QTimer>
 #include <QToolTip>
 #include <QTreeWidget>
 
@@ -91,15 +91,7 @@ protected:
     }
     /// Keys for the dialog or menu that opens meanwhile, which runs a loop of its own.
     static void meanwhile(QWidget* (*opened)(), const std::function<void(QWidget&)>& keys) {
-        auto* timer = new QTimer;
-        QObject::connect(timer, &QTimer::timeout, timer, [=] {
-            QWidget* shown = opened();
-            if (!shown) return;
-            timer->deleteLater();
-            timer->stop();
-            keys(*shown);
-        });
-        timer->start(20);
+        asSoonAs(qApp, opened, keys);
     }
     hmi::PanelDesigner& designer() {
         window->designs().openPanel("overview");

@@ -7,6 +7,7 @@
 #include "editor/debug/watch_view.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 #include "tests/support/patience.h"
 
 #include <QAction>
@@ -15,7 +16,6 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QPushButton>
-#include <QTimer>
 
 namespace plc::app {
 namespace {
@@ -34,16 +34,14 @@ protected:
     void choose(const QString& name) {
         bool asked = false;
         QObject::connect(window.get(), &MainWindow::rebuildRequested, [&] { asked = true; });
-        QTimer::singleShot(50, [&] {
-            auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(dialog, nullptr);
-            for (auto* box : dialog->findChildren<QComboBox*>())
+        inNext<QDialog>(window.get(), [&](QDialog& dialog) {
+            for (auto* box : dialog.findChildren<QComboBox*>())
                 if (const int at = box->findText(name); at >= 0) {
                     box->setFocus();
                     while (box->currentIndex() < at) QTest::keyClick(box, Qt::Key_Down);
                     while (box->currentIndex() > at) QTest::keyClick(box, Qt::Key_Up);
                 }
-            QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+            QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
         });
         window->action("file.settings")->trigger();
         ASSERT_TRUE(asked) << "nobody is asked whether the controller may stop";

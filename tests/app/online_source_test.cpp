@@ -5,6 +5,7 @@
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -14,7 +15,6 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
-#include <QTimer>
 #include <QTreeWidget>
 
 namespace plc::app {
@@ -82,14 +82,6 @@ protected:
         QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree.viewport()->mapToGlobal(at));
         QApplication::sendEvent(tree.viewport(), &event);
     }
-    void typeIntoNextDialog(const QString& text) {
-        QTimer::singleShot(100, window.get(), [text] {
-            auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(dialog, nullptr);
-            dialog->findChild<QLineEdit*>()->setText(text);
-            dialog->accept();
-        });
-    }
 };
 
 TEST_F(OnlineSourceTest, SaysWhoseValuesItShowsAndShowsThoseOfAnother) {
@@ -147,16 +139,14 @@ TEST_F(OnlineSourceTest, TheTreeChoosesTheInstance) {
         ASSERT_NE(item(name), nullptr) << name.toStdString();
         tree.scrollToItem(item(name));
         bool chosen = false;
-        QTimer::singleShot(200, window.get(), [&] {
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            ASSERT_NE(menu, nullptr);
-            for (QAction* each : menu->actions()) {
+        inNextMenu(window.get(), [&](QMenu& menu) {
+            for (QAction* each : menu.actions()) {
                 if (!under.isEmpty() && each->menu() && each->text().remove(u'&') == under)
                     for (QAction* inner : each->menu()->actions())
                         if (inner->text().remove(u'&') == entry) chosen = true, inner->trigger();
                 if (each->text().remove(u'&') == entry) chosen = true, each->trigger();
             }
-            menu->close();
+            menu.close();
         });
         askForMenu(tree, item(name));
         EXPECT_TRUE(chosen) << entry.toStdString();
@@ -174,15 +164,13 @@ TEST_F(OnlineSourceTest, TheWatchChoosesTheInstance) {
     auto* tree = window->watch().findChild<QTreeWidget*>();
     ASSERT_TRUE(tree && tree->topLevelItemCount() > 0);
     bool isOffered = false;
-    QTimer::singleShot(300, tree, [&] {
-        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-        if (!menu) return;
-        for (QAction* action : menu->actions())
+    inNextMenu(tree, [&](QMenu& menu) {
+        for (QAction* action : menu.actions())
             if (action->text().remove(u'&') == "Source of Axis with the Values of Main.b") {
                 isOffered = true;
                 action->trigger();
             }
-        menu->close();
+        menu.close();
     });
     const QTreeWidgetItem* row = tree->topLevelItem(tree->topLevelItemCount() - 1);
     askForMenu(*tree, row);
@@ -206,10 +194,10 @@ TEST_F(OnlineSourceTest, WritesAndForcesFromTheText) {
     ASSERT_TRUE(variable);
     EXPECT_EQ(variable->name, "busy");
     EXPECT_EQ(variable->pou, "Axis");
-    typeIntoNextDialog("TRUE");
+    typeIntoNext(window.get(), "TRUE");
     emit editor().writeRequested(variable->name, variable->pou);
     EXPECT_TRUE(waitFor([&] { return window->control().value("Main.a.busy").isTrue; }));
-    typeIntoNextDialog("FALSE");
+    typeIntoNext(window.get(), "FALSE");
     emit editor().forceRequested(variable->name, variable->pou);
     EXPECT_TRUE(waitFor([&] { return window->control().value("Main.a.busy").isForced; }));
     emit editor().unforceRequested(variable->name, variable->pou);

@@ -8,10 +8,10 @@
 #include "hmi/designer/canvas/design_canvas.h"
 #include "hmi/designer/editors/theme_dialog.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QTimer>
 #include <QTreeWidget>
 #include <Qsci/qsciscintilla.h>
 
@@ -30,12 +30,10 @@ protected:
     /// Opens the dialog by `open`, and calls `look` with it; false: none came.
     static bool inDialog(const std::function<void()>& open, const std::function<void(hmi::ThemeDialog&)>& look) {
         bool wasThere = false;
-        QTimer::singleShot(0, [&] {
-            auto* dialog = qobject_cast<hmi::ThemeDialog*>(QApplication::activeModalWidget());
-            if (!dialog) return;
+        inNext<hmi::ThemeDialog>(qApp, [&](hmi::ThemeDialog& dialog) {
             wasThere = true;
-            look(*dialog);
-            if (dialog->isVisible()) dialog->done(QDialog::Rejected);
+            look(dialog);
+            if (dialog.isVisible()) dialog.done(QDialog::Rejected);
         });
         open();
         return wasThere;

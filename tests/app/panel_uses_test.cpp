@@ -6,11 +6,11 @@
 #include "editor/trace/trace_view.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QLabel>
 #include <QLineEdit>
-#include <QTimer>
 #include <QTreeWidget>
 
 namespace plc::app {
@@ -88,12 +88,10 @@ TEST_F(MemberRenameTest, PanelsAndFaceplatesFollowAVariableOfABlock) {
     analysed();
     editor().goTo(static_cast<uint32_t>(editor().utf8().find("flow :")));
     QStringList shown;
-    QTimer::singleShot(150, window.get(), [&] {
-        auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        shown = placesOf(*dialog);
-        dialog->findChild<QLineEdit*>()->setText("output");
-        dialog->accept();
+    inNext<RenameDialog>(window.get(), [&](RenameDialog& dialog) {
+        shown = placesOf(dialog);
+        dialog.findChild<QLineEdit*>()->setText("output");
+        dialog.accept();
     });
     window->action("edit.rename")->trigger();
     EXPECT_TRUE(shown.contains("hmi/overview.panel.json: flow")) << shown.join(" | ").toStdString();
@@ -118,19 +116,17 @@ TEST_F(MemberRenameTest, WatchListsAndTheTraceFollowAndTheRunningProgramIsMentio
     editor().goTo(static_cast<uint32_t>(editor().utf8().find("flow :")));
     QString complaint;
     bool isMentioned = false;
-    QTimer::singleShot(150, window.get(), [&] {
-        auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        for (QLabel* each : dialog->findChildren<QLabel*>())
+    inNext<RenameDialog>(window.get(), [&](RenameDialog& dialog) {
+        for (QLabel* each : dialog.findChildren<QLabel*>())
             isMentioned |= each->isVisible() && each->text().contains("initial value");
-        auto* line = dialog->findChild<QLineEdit*>();
+        auto* line = dialog.findChild<QLineEdit*>();
         line->selectAll();
         QTest::keyClicks(line, "END_IF");
         QTest::keyClick(line, Qt::Key_Return);
-        complaint = dialog->isVisible() ? dialog->complaint() : QString();
+        complaint = dialog.isVisible() ? dialog.complaint() : QString();
         QTest::keyClicks(line, "delivery"); // over what is selected
         QTest::keyClick(line, Qt::Key_Return);
-        if (dialog->isVisible()) dialog->reject();
+        if (dialog.isVisible()) dialog.reject();
     });
     window->action("edit.rename")->trigger();
     EXPECT_TRUE(isMentioned) << "its value is lost";
@@ -153,11 +149,9 @@ TEST_F(PanelUsesTest, FindInAllFilesCoversPanels) {
 
 TEST_F(PanelUsesTest, ARenameShowsWhatItChangesFirst) {
     QStringList shown;
-    QTimer::singleShot(150, window.get(), [&] {
-        auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        shown = placesOf(*dialog);
-        dialog->reject();
+    inNext<RenameDialog>(window.get(), [&](RenameDialog& dialog) {
+        shown = placesOf(dialog);
+        dialog.reject();
     });
     window->action("edit.rename")->trigger();
     EXPECT_TRUE(shown.contains("src/main.st:4")) << shown.join(" | ").toStdString();

@@ -8,6 +8,7 @@
 #include "app/project/search_view.h"
 #include "app/start/start_page.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 #include "tests/support/settle.h"
 
 #include <QAbstractButton>
@@ -18,7 +19,6 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
-#include <QTimer>
 #include <QToolButton>
 
 namespace plc::app {
@@ -47,15 +47,6 @@ protected:
     std::string text(const char* file) { return window->workspace().text(file); }
     StEditor& open(const char* file) { return window->tabs().openFile(file)->first(); }
     uint32_t place(const char* file, const char* what) { return static_cast<uint32_t>(text(file).find(what)); }
-    void press(const QString& button) {
-        QTimer::singleShot(150, window.get(), [button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            for (QAbstractButton* each : box->buttons())
-                if (each->text().remove('&') == button) return each->click();
-            box->reject();
-        });
-    }
     static int marks(StEditor& editor) {
         int count = 0;
         for (int line = 0; line < editor.lines(); ++line) count += (editor.markersAtLine(line) & (3u << 5)) != 0;
@@ -67,12 +58,7 @@ TEST_F(ProjectEditsTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
     const std::string motor = text("src/motor.st"), line = text("src/line.st"), test = text("tests/line.st");
     StEditor& here = open("src/motor.st"); // the others stay closed
     here.goTo(place("src/motor.st", "run : BOOL"));
-    QTimer::singleShot(150, window.get(), [] {
-        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-            dialog->findChild<QLineEdit*>()->setText("go");
-            dialog->accept();
-        }
-    });
+    typeIntoNext(window.get(), "go");
     window->units().renameAtCursor();
     EXPECT_NE(text("src/line.st").find("drive(go := a > 0)"), std::string::npos) << text("src/line.st");
     EXPECT_NE(text("tests/line.st").find("Line.drive.go, 'drive.run'"), std::string::npos) << text("tests/line.st");
@@ -89,7 +75,7 @@ TEST_F(ProjectEditsTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
 
 TEST_F(ProjectEditsTest, AUnitLeavesWithItsCommentsAndOnlyTheStatementsThatReferToIt) {
     open("src/line.st");
-    press("Delete and Comment Out the Uses");
+    pressInNext(window.get(), "Delete and Comment Out the Uses");
     window->units().deleteUnit("src/motor.st", place("src/motor.st", "Motor"),
                                place("src/motor.st", "END_FUNCTION_BLOCK") + 18, "Motor");
     const std::string after = text("src/line.st");
@@ -110,7 +96,7 @@ TEST_F(ProjectEditsTest, OfALineWithSeveralStatementsOnlyOneIsCommentedOut) {
           "END_IF\nx := 4;\nEND_PROGRAM\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/g.st"); }));
     open("src/g.st");
-    press("Delete and Comment Out the Uses");
+    pressInNext(window.get(), "Delete and Comment Out the Uses");
     window->units().deleteUnit("src/f.st", 9, 40, "F");
     EXPECT_EQ(text("src/g.st"), "PROGRAM G\nVAR\n    x, y : INT;\nEND_VAR\nx := 1; (* y := F(); *) x := 2;\n"
                                 "// IF F() > 0 THEN\n//     x := 3;\n// END_IF\nx := 4;\nEND_PROGRAM\n");
@@ -224,11 +210,9 @@ TEST_F(ProjectEditsTest, AnUnknownNameBecomesAnInputWhenWanted) {
     here.applyEdits({{{FileId(), at, at}, "level := 1.5;\n"}});
     ASSERT_TRUE(waitFor([&] { return !here.diagnosticsHere().empty(); }));
     here.goTo(at + 1);
-    QTimer::singleShot(200, window.get(), [] {
-        if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
-            QTest::keyClick(menu, Qt::Key_Down); // the second: an input
-            QTest::keyClick(menu, Qt::Key_Return);
-        }
+    inNextMenu(window.get(), [](QMenu& menu) {
+        QTest::keyClick(&menu, Qt::Key_Down); // the second: an input
+        QTest::keyClick(&menu, Qt::Key_Return);
     });
     here.applyFix();
     EXPECT_NE(here.utf8().find("PROGRAM Main\nVAR_INPUT\n    level : REAL;\nEND_VAR\nVAR\n"), std::string::npos)
@@ -286,12 +270,7 @@ TEST_F(ProjectEditsTest, TheTreeIsArrangedByFileAndShowsWhatLibrariesHold) {
     EXPECT_EQ(item("Motor")->parent()->text(0), "motor.st");
     tree().setCurrentItem(item("motor.st"));
     tree().setFocus();
-    QTimer::singleShot(150, window.get(), [] {
-        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-            dialog->findChild<QLineEdit*>()->setText("drives");
-            dialog->accept();
-        }
-    });
+    typeIntoNext(window.get(), "drives");
     QTest::keyClick(&tree(), Qt::Key_F2);
     EXPECT_TRUE(waitFor([&] { return item("drives.st") && item("drives.st")->childCount() > 0; }));
     EXPECT_TRUE(QFile::exists(folder.path() + "/src/drives.st"));

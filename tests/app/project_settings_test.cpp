@@ -7,6 +7,7 @@
 #include "hmi/player/panel_player.h"
 #include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -15,7 +16,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTimer>
 
 namespace plc::app {
 namespace {
@@ -32,13 +32,11 @@ protected:
     /// Opens the form by its command, does something in it and presses the key.
     void inForm(const std::function<void(ProjectSettingsDialog&)>& work, Qt::Key key) {
         bool wasThere = false;
-        QTimer::singleShot(0, window.get(), [&] {
-            auto* dialog = qobject_cast<ProjectSettingsDialog*>(QApplication::activeModalWidget());
-            if (!dialog) return;
+        inNext<ProjectSettingsDialog>(window.get(), [&](ProjectSettingsDialog& dialog) {
             wasThere = true;
-            work(*dialog);
-            QTest::keyClick(dialog, key);
-            if (dialog->isVisible()) dialog->reject();
+            work(dialog);
+            QTest::keyClick(&dialog, key);
+            if (dialog.isVisible()) dialog.reject();
         });
         window->action("file.projectSettings")->trigger();
         EXPECT_TRUE(wasThere);

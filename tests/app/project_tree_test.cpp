@@ -7,6 +7,7 @@
 #include "editor/debug/watch_view.h"
 #include "editor/kit/inputs/variable_picker.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -45,23 +46,6 @@ protected:
         tree().setCurrentItem(found);
         tree().setFocus();
     }
-    void typeInto(const QString& text) {
-        QTimer::singleShot(150, window.get(), [text] {
-            if (auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) {
-                dialog->setTextValue(text);
-                dialog->accept();
-            }
-        });
-    }
-    void press(const QString& button) {
-        QTimer::singleShot(150, window.get(), [button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            for (QAbstractButton* each : box->buttons())
-                if (each->text().remove('&') == button) return each->click();
-            box->reject();
-        });
-    }
     QByteArray content(const QString& file) {
         QFile f(folder.path() + "/" + file);
         return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
@@ -93,7 +77,7 @@ TEST_F(ProjectTreeTest, ABlockIsDeletedAndItsUsesCommentedOut) {
     analysed();
     ASSERT_TRUE(waitFor([&] { return item("drive") != nullptr; }));
     select("Motor");
-    press("Delete and Comment Out the Uses");
+    pressInNext(window.get(), "Delete and Comment Out the Uses");
     QTest::keyClick(&tree(), Qt::Key_Delete);
     EXPECT_NE(editor().utf8().find("    // drive : Motor;"), std::string::npos) << editor().utf8();
     EXPECT_FALSE(window->workspace().files().contains("src/motor.st")) << "the file held nothing else";
@@ -102,7 +86,7 @@ TEST_F(ProjectTreeTest, ABlockIsDeletedAndItsUsesCommentedOut) {
 
 TEST_F(ProjectTreeTest, APanelIsRenamedWithTheButtonsThatLeadToIt) {
     select("details");
-    typeInto("motor");
+    typeIntoNext(window.get(), "motor");
     QTest::keyClick(&tree(), Qt::Key_F2);
     EXPECT_TRUE(waitFor([&] { return item("motor") != nullptr; }));
     EXPECT_TRUE(content("hmi/overview.panel.json").contains("\"panel\": \"motor\""))
@@ -112,15 +96,15 @@ TEST_F(ProjectTreeTest, APanelIsRenamedWithTheButtonsThatLeadToIt) {
 }
 
 TEST_F(ProjectTreeTest, ATraceIsMadeRenamedAndDeleted) {
-    typeInto("second");
+    typeIntoNext(window.get(), "second");
     window->action("file.newTrace")->trigger();
     EXPECT_TRUE(waitFor([&] { return item("second") != nullptr; }));
     select("second");
-    typeInto("third");
+    typeIntoNext(window.get(), "third");
     QTest::keyClick(&tree(), Qt::Key_F2);
     EXPECT_TRUE(waitFor([&] { return item("third") != nullptr && item("second") == nullptr; }));
     select("third");
-    press("Yes");
+    pressInNext(window.get(), "Yes");
     QTest::keyClick(&tree(), Qt::Key_Delete);
     EXPECT_TRUE(waitFor([&] { return item("third") == nullptr; }));
     EXPECT_FALSE(QFile::exists(folder.path() + "/traces/third.trace.json"));

@@ -5,6 +5,7 @@
 #include "app/project/project_tree.h"
 #include "runtime/diagnostics/diagnostic.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -13,7 +14,6 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QTimer>
 #include <QToolTip>
 
 #include <algorithm>
@@ -57,24 +57,6 @@ protected:
     void replace(const char* file, const std::string& from, const std::string& to) {
         const auto at = static_cast<uint32_t>(text(file).find(from));
         open(file).applyEdits({{{FileId(), at, at + static_cast<uint32_t>(from.size())}, to}});
-    }
-    void type(const QString& name) {
-        QTimer::singleShot(150, window.get(), [name] {
-            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-                dialog->findChild<QLineEdit*>()->setText(name);
-                dialog->accept();
-            }
-        });
-    }
-    void press(const QString& button, QString* question = nullptr) {
-        QTimer::singleShot(150, window.get(), [button, question] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            if (question) *question = box->text();
-            for (QAbstractButton* each : box->buttons())
-                if (each->text().remove('&') == button) return each->click();
-            box->reject();
-        });
     }
     static std::string offered(const analysis::Completion& completion, const std::string& name) {
         for (const analysis::CompletionItem& item : completion.items)
@@ -150,7 +132,7 @@ TEST_F(SourcePagesTest, ARenameFromATestReachesTheProgramAndOneUndoTakesItBack) 
     const std::string motor = text("src/motor.st"), test = text("tests/line.st");
     StEditor& here = open("tests/line.st");
     here.goTo(place("tests/line.st", "turns > i"));
-    type("rounds");
+    typeIntoNext(window.get(), "rounds");
     window->units().renameAtCursor();
     EXPECT_NE(text("src/motor.st").find("rounds := rounds + step"), std::string::npos) << text("src/motor.st");
     EXPECT_NE(text("tests/line.st").find("ASSERT Line.drive.rounds > i, 'turns'"), std::string::npos);
@@ -159,7 +141,7 @@ TEST_F(SourcePagesTest, ARenameFromATestReachesTheProgramAndOneUndoTakesItBack) 
     EXPECT_EQ(text("tests/line.st"), test);
     here.goTo(place("tests/line.st", "i : INT"));
     ASSERT_NE(window->workspace().presentModel(), nullptr);
-    type("pass");
+    typeIntoNext(window.get(), "pass");
     window->units().renameAtCursor(); // the test's own
     EXPECT_NE(text("tests/line.st").find("FOR pass := 0 TO 3 DO"), std::string::npos) << text("tests/line.st");
     EXPECT_EQ(text("src/motor.st"), motor);
@@ -315,13 +297,16 @@ TEST_F(SourcePagesTest, AReadOnlyFileSaysSoAndSavingAsks) {
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     QString question;
-    press("Cancel", &question);
+    inNext<QMessageBox>(window.get(), [&question](QMessageBox& box) {
+        question = box.text();
+        box.reject();
+    });
     window->tabs().saveCurrent();
     EXPECT_TRUE(question.contains("src/motor.st")) << question.toStdString();
     EXPECT_EQ(onDisk(), before);
     EXPECT_TRUE(window->workspace().isModified("src/motor.st"));
     EXPECT_FALSE(window->workspace().save("src/motor.st")) << "nothing below asks: it refuses";
-    press("Replace");
+    pressInNext(window.get(), "Replace");
     window->tabs().saveAll();
     EXPECT_TRUE(onDisk().startsWith("// new\n"));
     EXPECT_TRUE(window->workspace().isReadOnly("src/motor.st")) << "the mode stays";

@@ -8,6 +8,7 @@
 #include "editor/debug/watch_view.h"
 #include "editor/kit/inputs/variable_picker.h"
 #include "editor/plot/plot_view.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QDialog>
@@ -15,7 +16,6 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
-#include <QTimer>
 #include <QTreeWidget>
 
 namespace plc::app {
@@ -58,9 +58,8 @@ TEST_F(StudioTest, AltEnterDeclaresAnUnknownName) {
     analysed();
     ASSERT_TRUE(waitFor([&] { return !editor().diagnosticsHere().empty(); }));
     editor().goTo(editor().diagnosticsHere().front().range.begin + 1);
-    QTimer::singleShot(150, window.get(), [] { // of the ways to declare it the first: a local
-        if (QWidget* menu = QApplication::activePopupWidget()) QTest::keyClick(menu, Qt::Key_Return);
-    });
+    inNextMenu(window.get(), // of the ways to declare it the first: a local
+               [](QMenu& menu) { QTest::keyClick(&menu, Qt::Key_Return); });
     QTest::keyClick(editor().viewport(), Qt::Key_Return, Qt::AltModifier);
     analysed();
     EXPECT_NE(editor().utf8().find("ready : BOOL;"), std::string::npos) << editor().utf8();
@@ -87,12 +86,7 @@ TEST_F(StudioTest, EnterClosesABlockAndIndents) {
 
 TEST_F(StudioTest, RenamingChangesEveryUse) {
     editor().goTo(static_cast<uint32_t>(editor().utf8().find("counter")));
-    QTimer::singleShot(200, [] {
-        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        dialog->findChild<QLineEdit*>()->setText("ticks");
-        dialog->accept();
-    });
+    typeIntoNext(window.get(), "ticks");
     window->action("edit.rename")->trigger();
     const std::string text = editor().utf8();
     EXPECT_EQ(text.find("counter"), std::string::npos);

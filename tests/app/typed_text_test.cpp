@@ -5,11 +5,11 @@
 #include "editor/kit/inputs/expression_edit.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QInputDialog>
 #include <QLineEdit>
-#include <QTimer>
 
 namespace plc::app {
 namespace {
@@ -17,16 +17,6 @@ namespace {
 class TypedTextTest : public StudioTest {
 protected:
     [[nodiscard]] qsizetype count(const char* word) { return QString::fromStdString(editor().utf8()).count(word); }
-    /// Types the name into the dialog that opens next and accepts it.
-    void answerWithName(const QString& name) {
-        QTimer::singleShot(100, window.get(), [name] {
-            QWidget* dialog = QApplication::activeModalWidget();
-            ASSERT_NE(dialog, nullptr);
-            auto* line = dialog->findChild<QLineEdit*>();
-            line->setText(name);
-            static_cast<QDialog*>(dialog)->accept();
-        });
-    }
 };
 
 TEST_F(TypedTextTest, AnEndBelowTheOneThatEnterHasWrittenIsThatOne) {
@@ -99,13 +89,13 @@ TEST_F(TypedTextTest, EnterInTheWatchLineTakesTheNameThatWasBegun) {
 TEST_F(TypedTextTest, ANewDocumentHasTheKeyboard) {
     (void)window->projectTree();
     window->watch().tree().setFocus();
-    answerWithName("Mixer");
+    typeIntoNext(window.get(), "Mixer");
     window->action("file.newUnit")->trigger();
     ASSERT_NE(window->tabs().currentEditor(), nullptr);
     // No window manager gives the window back its activity after the dialog: what counts is who has its keyboard.
     EXPECT_TRUE(window->focusWidget() == &editor() || window->focusWidget() == editor().viewport());
     window->watch().tree().setFocus();
-    answerWithName("desk");
+    typeIntoNext(window.get(), "desk");
     window->action("file.newPanel")->trigger();
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
     ASSERT_NE(designer, nullptr);

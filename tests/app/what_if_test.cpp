@@ -7,10 +7,10 @@
 #include "editor/graph/chart/chart_view.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QTableWidget>
-#include <QTimer>
 
 namespace plc::app {
 namespace {
@@ -54,16 +54,14 @@ TEST_F(WhatIfTest, GoesOnFromAPastScanWithOtherValues) {
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     window->control().view(20);
-    QTimer::singleShot(50, window.get(), [&] {
-        auto* dialog = qobject_cast<WhatIfDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        dialog->addVariable("Main.gain");
-        const int row = dialog->table().rowCount() - 1;
-        dialog->table().item(row, 2)->setText("many");
-        dialog->accept();
-        EXPECT_TRUE(dialog->isVisible()) << "that is no value";
-        dialog->table().item(row, 2)->setText("1000");
-        dialog->accept();
+    inNext<WhatIfDialog>(window.get(), [](WhatIfDialog& dialog) {
+        dialog.addVariable("Main.gain");
+        const int row = dialog.table().rowCount() - 1;
+        dialog.table().item(row, 2)->setText("many");
+        dialog.accept();
+        EXPECT_TRUE(dialog.isVisible()) << "that is no value";
+        dialog.table().item(row, 2)->setText("1000");
+        dialog.accept();
     });
     window->action("time.whatIf")->trigger();
     EXPECT_FALSE(window->control().viewed()) << "it runs on";

@@ -8,6 +8,7 @@
 #include "hmi/player/panel_why.h"
 #include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 #include "tests/support/settle.h"
 
 #include <QAction>
@@ -15,7 +16,6 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QSignalSpy>
-#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -72,17 +72,12 @@ protected:
     uint32_t at(const char* text) { return static_cast<uint32_t>(editor().utf8().find(text)); }
     /// Triggers the entry of the menu that opens next.
     static void chooseInNextMenu(const char* name) {
-        auto* timer = new QTimer(qApp);
-        QObject::connect(timer, &QTimer::timeout, qApp, [timer, name] {
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            if (!menu) return;
-            timer->deleteLater();
-            auto* action = menu->findChild<QAction*>(name);
-            menu->close();
+        inNextMenu(qApp, [name](QMenu& menu) {
+            auto* action = menu.findChild<QAction*>(name);
+            menu.close();
             ASSERT_NE(action, nullptr) << name;
             action->trigger();
         });
-        timer->start(10);
     }
     /// Where the caret is: a right click moves it to the place clicked.
     QPoint caret() {

@@ -5,6 +5,7 @@
 #include "editor/kit/inputs/text_question.h"
 #include "editor/kit/theme.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 #include "tests/support/patience.h"
 
 #include <QAbstractButton>
@@ -99,12 +100,7 @@ TEST_F(StudioTest, AShortcutThatClashesIsTakenFromTheOtherAction) {
 
 TEST_F(StudioTest, AnySpeedCanBeTypedAndTheStatusLineSaysIt) {
     const auto choose = [&](const QString& typed) {
-        QTimer::singleShot(100, [typed] {
-            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(dialog, nullptr);
-            dialog->setTextValue(typed);
-            dialog->accept();
-        });
+        typeIntoNext(window.get(), typed);
         window->action("run.speed")->trigger();
     };
     choose("2,5 x");
@@ -119,14 +115,12 @@ TEST_F(StudioTest, AnySpeedCanBeTypedAndTheStatusLineSaysIt) {
         return false;
     };
     EXPECT_TRUE(waitFor([&] { return shows("7.25 ×"); }));
-    QTimer::singleShot(100, [] {
-        auto* question = qobject_cast<kit::TextQuestion*>(QApplication::activeModalWidget());
-        ASSERT_NE(question, nullptr);
-        question->setTextValue("nonsense");
-        question->accept();
-        EXPECT_TRUE(question->isVisible());
-        EXPECT_EQ(question->complaint(), "The speed is a factor from 0.001 to 10000");
-        question->reject();
+    inNext<kit::TextQuestion>(window.get(), [](kit::TextQuestion& question) {
+        question.setTextValue("nonsense");
+        question.accept();
+        EXPECT_TRUE(question.isVisible());
+        EXPECT_EQ(question.complaint(), "The speed is a factor from 0.001 to 10000");
+        question.reject();
     });
     window->action("run.speed")->trigger();
     EXPECT_EQ(window->control().mode().factor, 7.25);

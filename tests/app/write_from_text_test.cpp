@@ -4,12 +4,12 @@
 #include "editor/debug/debug_views.h"
 #include "editor/kit/inputs/text_question.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
-#include <QTimer>
 #include <QWindow>
 
 namespace plc::app {
@@ -39,15 +39,6 @@ b(step := 2);
 list[2] := list[1];
 END_PROGRAM
 )";
-
-/// As soon as `isReady`; within the event loops of menus and dialogs as well.
-void soon(const std::function<bool()>& isReady, const std::function<void()>& act, int tries = kPatience / 20) {
-    QTimer::singleShot(20, qApp, [=] {
-        if (isReady()) return act();
-        ASSERT_GT(tries, 0) << "it never came";
-        soon(isReady, act, tries - 1);
-    });
-}
 
 class WriteFromTextTest : public StudioTest {
 protected:
@@ -81,30 +72,30 @@ protected:
     }
     /// What is typed into the next dialog, with Enter.
     static void typeIntoDialog(const QString& typed) {
-        soon([] { return qobject_cast<QDialog*>(QApplication::activeModalWidget()) != nullptr; },
-             [typed] {
-                 auto* line = QApplication::activeModalWidget()->findChild<QLineEdit*>();
-                 ASSERT_NE(line, nullptr);
-                 line->selectAll();
-                 QTest::keyClicks(line, typed);
-                 QTest::keyClick(line, Qt::Key_Return);
-             });
+        inNext<QDialog>(qApp, [typed](QDialog& dialog) {
+            auto* line = dialog.findChild<QLineEdit*>();
+            ASSERT_NE(line, nullptr);
+            line->selectAll();
+            QTest::keyClicks(line, typed);
+            QTest::keyClick(line, Qt::Key_Return);
+        });
     }
-    static kit::TextQuestion* question() { return qobject_cast<kit::TextQuestion*>(QApplication::activeModalWidget()); }
-    static bool isComplaining() { return question() && !question()->complaint().isEmpty(); }
+    /// The question, once it says what is wrong with the answer.
+    static kit::TextQuestion* complaining() {
+        auto* question = dialogInFront<kit::TextQuestion>();
+        return question && !question->complaint().isEmpty() ? question : nullptr;
+    }
     /// The menu that opens next: a click on its entry, or whether it is missing.
     void clickNextMenu(const QString& entry) {
         m_wasOffered = m_wasOpen = false;
-        soon([] { return qobject_cast<QMenu*>(QApplication::activePopupWidget()) != nullptr; },
-             [this, entry] {
-                 auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-                 QAction* action = entryOf(*menu, entry);
-                 m_wasOpen = true;
-                 m_wasOffered = action != nullptr;
-                 if (!action) return (void)menu->close();
-                 QTest::mouseMove(menu, menu->actionGeometry(action).center());
-                 QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
-             });
+        inNextMenu(qApp, [this, entry](QMenu& menu) {
+            QAction* action = entryOf(menu, entry);
+            m_wasOpen = true;
+            m_wasOffered = action != nullptr;
+            if (!action) return (void)menu.close();
+            QTest::mouseMove(&menu, menu.actionGeometry(action).center());
+            QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(action).center());
+        });
     }
     /// The right button on a word of the text, from the window system.
     void rightClick(uint32_t offset, const QString& entry) {
@@ -135,11 +126,10 @@ TEST_F(WriteFromTextTest, AValueThatIsNoneIsTypedAgainInTheSameDialog) {
     for (const char* entry : {"Write a Value…", "Force…"}) {
         typeIntoDialog("much");
         QString complaint;
-        soon([] { return isComplaining(); },
-             [&complaint] {
-                 complaint = question()->complaint();
-                 typeIntoDialog("8.5"); // what was wrong is selected
-             });
+        asSoonAs(qApp, &complaining, [&complaint](const kit::TextQuestion& question) {
+            complaint = question.complaint();
+            typeIntoDialog("8.5"); // what was wrong is selected
+        });
         ASSERT_NO_FATAL_FAILURE(rightClick(at("speed : REAL") + 1, entry));
         EXPECT_TRUE(waitFor([&] { return text("Main.speed") == "8.5"; })) << text("Main.speed").toStdString();
         EXPECT_TRUE(complaint.contains("much")) << complaint.toStdString();
@@ -169,16 +159,14 @@ TEST_F(WriteFromTextTest, ForcesAndReleasesTheInstanceWhoseValuesAreShown) {
 TEST_F(WriteFromTextTest, TheMenuKeyOpensTheMenuAtTheCaret) {
     editor().goTo(at("speed : REAL") + 2);
     QPoint opened;
-    soon([] { return qobject_cast<QMenu*>(QApplication::activePopupWidget()) != nullptr; },
-         [&] {
-             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-             opened = menu->pos();
-             QAction* entry = entryOf(*menu, "Write a Value…");
-             if (!entry) return (void)menu->close();
-             typeIntoDialog("3.5");
-             while (menu->activeAction() != entry) QTest::keyClick(menu, Qt::Key_Down);
-             QTest::keyClick(menu, Qt::Key_Return);
-         });
+    inNextMenu(qApp, [&](QMenu& menu) {
+        opened = menu.pos();
+        QAction* entry = entryOf(menu, "Write a Value…");
+        if (!entry) return (void)menu.close();
+        typeIntoDialog("3.5");
+        while (menu.activeAction() != entry) QTest::keyClick(&menu, Qt::Key_Down);
+        QTest::keyClick(&menu, Qt::Key_Return);
+    });
     QContextMenuEvent event(QContextMenuEvent::Keyboard, editor().rect().center(),
                             editor().mapToGlobal(editor().rect().center()));
     QApplication::sendEvent(&editor(), &event); // as Qt sends it for the menu key
@@ -198,11 +186,10 @@ TEST_F(WriteFromTextTest, ARightClickInTheSelectionKeepsIt) {
 TEST_F(WriteFromTextTest, AValueThatDoesNotFitIsRefusedAndNothingIsWritten) {
     QString complaint;
     typeIntoDialog("hello");
-    soon([] { return isComplaining(); },
-         [&complaint] {
-             complaint = question()->complaint();
-             QTest::keyClick(question(), Qt::Key_Escape);
-         });
+    asSoonAs(qApp, &complaining, [&complaint](kit::TextQuestion& question) {
+        complaint = question.complaint();
+        QTest::keyClick(&question, Qt::Key_Escape);
+    });
     ASSERT_NO_FATAL_FAILURE(rightClick(at("speed : REAL") + 1, "Write a Value…"));
     EXPECT_TRUE(waitFor([&] { return !complaint.isEmpty(); })) << "it says why";
     EXPECT_EQ(text("Main.speed").toDouble(), 0);

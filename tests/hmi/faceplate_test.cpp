@@ -7,6 +7,7 @@
 #include "hmi/view/element_factory.h"
 #include "hmi/view/scene/faceplate_view.h"
 #include "running.h"
+#include "tests/support/answer.h"
 #include "tests/support/settle.h"
 
 #include <QComboBox>
@@ -297,22 +298,13 @@ struct Studio {
     const Panel& panel() const { return designer->document().panel(); }
 };
 
-/// Answers the dialog that the action opens.
-template <class Dialog> void whenShown(const std::function<void(Dialog&)>& answer) {
-    QTimer::singleShot(0, [answer] {
-        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-        ASSERT_TRUE(dialog);
-        answer(*dialog);
-    });
-}
-
 TEST(FaceplateDesigner, TwoHundredGatesAreArrangedOverAnArrayInOneGestureAndEditedOnce) {
     Studio studio(
         R"({"id": "g", "kind": "faceplate", "rect": [8, 8, 40, 60], "panel": "gate", "arguments": {"title": "G#"}})");
     const std::string before = studio.panel().write();
     studio.designer->selection().set({QStringLiteral("g")});
     ASSERT_TRUE(studio.designer->action(QStringLiteral("arrange-array"))->isEnabled());
-    whenShown<ArrayArrangementDialog>([](ArrayArrangementDialog& dialog) {
+    inNext<ArrayArrangementDialog>(qApp, [](ArrayArrangementDialog& dialog) {
         EXPECT_EQ(dialog.array().currentText().toStdString(), "Main.gates"); // the only one that fits
         EXPECT_EQ(dialog.columns().value(), 21);                             // as many as fit
         EXPECT_EQ(dialog.complaint().text(), "");

@@ -6,6 +6,7 @@
 #include "hmi/designer/editors/people_editor.h"
 #include "hmi/designer/sheet/property_sheet.h"
 #include "hmi/people/password.h"
+#include "tests/support/answer.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -14,7 +15,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QTimer>
 #include <QToolButton>
 
 namespace plc::hmi {
@@ -161,13 +161,11 @@ TEST_F(PeopleChosen, AnElementIsKeptForRolesThatArePickedInThePropertySheet) {
     auto* button = grid->viewport()->findChild<QToolButton*>();
     ASSERT_NE(button, nullptr) << "a list to choose from";
     bool wasOffered = false;
-    QTimer::singleShot(0, grid, [&] { // the menu waits for an answer
-        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-        wasOffered = menu && menu->actions().size() == 2;
-        if (!menu) return;
-        QTest::keyClick(menu, Qt::Key_Down);
-        QTest::keyClick(menu, Qt::Key_Down);
-        QTest::keyClick(menu, Qt::Key_Return);
+    inNextMenu(grid, [&](QMenu& menu) {
+        wasOffered = menu.actions().size() == 2;
+        QTest::keyClick(&menu, Qt::Key_Down);
+        QTest::keyClick(&menu, Qt::Key_Down);
+        QTest::keyClick(&menu, Qt::Key_Return);
     });
     QTest::mouseClick(button, Qt::LeftButton);
     settle();

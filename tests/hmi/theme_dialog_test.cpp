@@ -2,6 +2,7 @@
 #include "design_studio.h"
 #include "editor/kit/inputs/color_popup.h"
 #include "hmi/designer/editors/theme_dialog.h"
+#include "tests/support/answer.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -9,7 +10,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
-#include <QTimer>
 
 namespace plc::hmi {
 
@@ -102,14 +102,12 @@ TEST_F(ThemeDialogTest, StepsAreTakenBackAndCancelWritesNothing) {
     dialog->undoStack().redo();
     const QByteArray before = read("night");
     bool wasAsked = false;
-    QTimer::singleShot(0, [&] {
-        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        ASSERT_NE(question, nullptr) << "what was done is not thrown away in silence";
+    inNext<QMessageBox>(dialog.get(), [&](QMessageBox& question) {
         wasAsked = true;
-        question->button(QMessageBox::Discard)->click();
+        question.button(QMessageBox::Discard)->click();
     });
     dialog->reject();
-    EXPECT_TRUE(wasAsked);
+    EXPECT_TRUE(wasAsked) << "what was done is not thrown away in silence";
     EXPECT_FALSE(dialog->isVisible());
     EXPECT_EQ(read("night"), before);
 }

@@ -6,6 +6,7 @@
 #include "app/project/project_tree.h"
 #include "projects/devices/engine.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 #include "tests/support/settle.h"
 
 #include <QAbstractItemDelegate>
@@ -16,7 +17,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QTimer>
 #include <QTreeWidget>
 
 #include <memory>
@@ -103,12 +103,9 @@ TEST_F(DevicesDock, WithoutDevicesItSaysHowToBegin) {
     auto* begin = view().findChild<QWidget*>("devicesBegin");
     ASSERT_TRUE(waitFor([&] { return begin->isVisible(); }));
     auto* add = begin->findChild<QPushButton*>();
-    QTimer::singleShot(0, [&] {
-        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-        ASSERT_TRUE(menu);
-        ASSERT_TRUE(waitFor([&] { return menu->isVisible(); }));
-        QTest::keyClick(menu, Qt::Key_Down);
-        QTest::keyClick(menu, Qt::Key_Return);
+    inNextMenu(window.get(), [](QMenu& menu) {
+        QTest::keyClick(&menu, Qt::Key_Down);
+        QTest::keyClick(&menu, Qt::Key_Return);
     });
     QTest::mouseClick(add, Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return onDisk().find("modbus-tcp") != std::string::npos; })) << onDisk();
