@@ -18,10 +18,12 @@ const Json& Properties::at(std::string_view key) const {
 }
 
 double Properties::number(std::string_view key) const {
-    const Json& value = at(key);
+    const PropertyDescriptor* property = m_descriptor->property(key);
+    const Json& own = at(key);
+    const Json& value =
+        own.is_number() || !property ? own : property->fallback; // of another type: as if it were missing
     if (!value.is_number()) return 0;
     const double number = value.get<double>();
-    const PropertyDescriptor* property = m_descriptor->property(key);
     if (!property || !property->limits) return number;
     return std::clamp(number, property->limits->first, property->limits->second);
 }

@@ -31,7 +31,8 @@ public:
     const Json& at(std::string_view key) const;
     bool has(std::string_view key) const { return m_fields.contains(std::string(key)); }
     QString text(std::string_view key) const { return toQString(at(key)); }
-    /// Never outside the range that elements.def gives, whatever the file says.
+    /// Never outside the range that elements.def gives, whatever the file says; what is no number there is as if it
+    /// were missing.
     double number(std::string_view key) const;
     std::optional<double> optionalNumber(std::string_view key) const;
     /// Within ±1,000,000,000, so that an index can be added to it.

@@ -53,6 +53,21 @@ Panel parsed(const std::string& text) {
     return panel ? *panel : Panel();
 }
 
+TEST(Panel, ANumberIsWithinItsRangeWhateverTheFileSays) {
+    const auto fontSize = [](const char* written) {
+        const Result<Panel> panel =
+            Panel::parse(std::string(R"({"elements": [{"id": "a", "kind": "trend", "fontSize": )") + written + "}]}",
+                         QStringLiteral("main"));
+        return panel ? panel->elements()[0].number("fontSize") : -1;
+    };
+    const double usual = fontSize("null");
+    EXPECT_GE(usual, 6);
+    EXPECT_EQ(fontSize("14"), 14);
+    EXPECT_EQ(fontSize("0"), 6);
+    EXPECT_EQ(fontSize("1e300"), 200);
+    for (const char* other : {"{}", "[]", R"("14")", "true"}) EXPECT_EQ(fontSize(other), usual) << other;
+}
+
 TEST(PanelFile, LoadingAndSavingChangesNoByteAndKeepsWhatItDoesNotKnow) { EXPECT_EQ(parsed(kFile).write(), kFile); }
 
 TEST(PanelFile, WritesWholeNumbersWithoutFractionAndKnownFieldsInOrder) {
