@@ -23,7 +23,8 @@ foreach(line IN LISTS listed ITEMS "end.")
         math(EXPR more "${count} - 1")
         list(JOIN group ":" filter)
         add_test("${name}: ${first} and ${more} more" "${program}" "--gtest_filter=${filter}")
-        set_tests_properties("${name}: ${first} and ${more} more" PROPERTIES ENVIRONMENT "${environment}")
+        set_tests_properties("${name}: ${first} and ${more} more" PROPERTIES ENVIRONMENT "${environment}"
+            TIMEOUT 1500) # of one test 300
         set(group)
     endif()
 endforeach()
