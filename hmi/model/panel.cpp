@@ -17,13 +17,20 @@ const Json& Properties::at(std::string_view key) const {
     return property ? property->fallback : null;
 }
 
+namespace {
+/// What the file says, or what holds without it: also when the file says something of another type.
+const Json& ofType(const Properties& properties, std::string_view key, bool (Json::*isOfType)() const) {
+    const Json& own = properties.at(key);
+    const PropertyDescriptor* property = properties.descriptor().property(key);
+    return (own.*isOfType)() || !property ? own : property->fallback;
+}
+} // namespace
+
 double Properties::number(std::string_view key) const {
-    const PropertyDescriptor* property = m_descriptor->property(key);
-    const Json& own = at(key);
-    const Json& value =
-        own.is_number() || !property ? own : property->fallback; // of another type: as if it were missing
+    const Json& value = ofType(*this, key, &Json::is_number);
     if (!value.is_number()) return 0;
     const double number = value.get<double>();
+    const PropertyDescriptor* property = m_descriptor->property(key);
     if (!property || !property->limits) return number;
     return std::clamp(number, property->limits->first, property->limits->second);
 }
@@ -37,7 +44,7 @@ std::optional<double> Properties::optionalNumber(std::string_view key) const {
 }
 
 bool Properties::isSet(std::string_view key) const {
-    const Json& value = at(key);
+    const Json& value = ofType(*this, key, &Json::is_boolean);
     return value.is_boolean() && value.get<bool>();
 }
 

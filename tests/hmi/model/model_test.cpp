@@ -68,6 +68,17 @@ TEST(Panel, ANumberIsWithinItsRangeWhateverTheFileSays) {
     for (const char* other : {"{}", "[]", R"("14")", "true"}) EXPECT_EQ(fontSize(other), usual) << other;
 }
 
+TEST(Panel, AnOptionOfAnotherTypeIsAsIfItWereMissing) {
+    const auto isShown = [](const char* written) {
+        const Result<Panel> panel =
+            Panel::parse(std::string(R"({"elements": [{"id": "a", "kind": "trend", "legend": )") + written + "}]}",
+                         QStringLiteral("main"));
+        return panel && panel->elements()[0].isSet("legend");
+    };
+    EXPECT_FALSE(isShown("false"));
+    for (const char* other : {"true", "{}", "1", R"("false")"}) EXPECT_TRUE(isShown(other)) << other;
+}
+
 TEST(PanelFile, LoadingAndSavingChangesNoByteAndKeepsWhatItDoesNotKnow) { EXPECT_EQ(parsed(kFile).write(), kFile); }
 
 TEST(PanelFile, WritesWholeNumbersWithoutFractionAndKnownFieldsInOrder) {
