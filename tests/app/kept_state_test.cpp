@@ -9,7 +9,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDialogButtonBox>
-#include <QElapsedTimer>
 #include <QKeySequenceEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,18 +19,6 @@ namespace {
 
 class KeptStateTest : public StudioTest {
 protected:
-    /// Presses the button of the next question, as soon as it is asked; true from then on.
-    static std::shared_ptr<bool> answerNext(QMessageBox::StandardButton button) {
-        auto answered = std::make_shared<bool>(false);
-        inNext<QMessageBox>(qApp, [button, answered](QMessageBox& box) {
-            *answered = true;
-            if (QAbstractButton* found = box.button(button))
-                found->click();
-            else
-                box.reject();
-        });
-        return answered;
-    }
     void breakAt(const char* text) {
         editor().goTo(static_cast<uint32_t>(editor().utf8().find(text)));
         window->action("run.breakpoint")->trigger();
@@ -46,9 +33,9 @@ TEST_F(KeptStateTest, AProjectThatCannotBeOpenedLeavesTheOneThatIsOpenAndRuns) {
     file.close();
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 3; }));
-    const auto answered = answerNext(QMessageBox::Ok);
+    const auto wasAsked = pressInNext(qApp, QMessageBox::Ok);
     EXPECT_FALSE(window->openProject(broken.path()));
-    EXPECT_TRUE(*answered) << "why is said";
+    EXPECT_TRUE(*wasAsked) << "why is said";
     EXPECT_EQ(window->workspace().folder().toStdString(), folder.path().toStdString());
     EXPECT_EQ(window->control().status().state, controller::State::Running);
 }
@@ -71,22 +58,22 @@ TEST_F(KeptStateTest, ShortcutsAreSetInTheSettingsAndStay) {
 TEST_F(KeptStateTest, WhatACrashLeftIsOfferedAndRestored) {
     window->closeProject();
     write("src/.main.st.autosave", QByteArray(kMain).replace(":= 1000", ":= 4321"));
-    answerNext(QMessageBox::Yes);
+    pressInNext(qApp, QMessageBox::Yes);
     ASSERT_TRUE(window->openProject(folder.path()));
     EXPECT_NE(editor().utf8().find("4321"), std::string::npos);
     EXPECT_TRUE(window->workspace().isModified("src/main.st"));
-    answerNext(QMessageBox::Discard);
+    pressInNext(qApp, QMessageBox::Discard);
     window->closeProject();
 }
 
 TEST_F(KeptStateTest, AChangeOutsideAndHereAsksAndKeepsWhatIsHere) {
     typeAtEnd("done := FALSE;");
-    const auto answered = answerNext(QMessageBox::No);
+    const auto wasAsked = pressInNext(qApp, QMessageBox::No);
     write("src/main.st", QByteArray(kMain).replace(":= 1000", ":= 500"));
-    ASSERT_TRUE(waitFor([&] { return *answered; }));
+    ASSERT_TRUE(waitFor([&] { return *wasAsked; }));
     EXPECT_NE(editor().utf8().find("done := FALSE;"), std::string::npos);
     EXPECT_NE(editor().utf8().find(":= 1000"), std::string::npos);
-    answerNext(QMessageBox::Discard);
+    pressInNext(qApp, QMessageBox::Discard);
     window->closeProject();
 }
 

@@ -89,10 +89,6 @@ protected:
         QTest::keyClicks(QApplication::focusWidget(), name);
         press(Qt::Key_Return);
     }
-    /// Keys for the dialog or menu that opens meanwhile, which runs a loop of its own.
-    static void meanwhile(QWidget* (*opened)(), const std::function<void(QWidget&)>& keys) {
-        asSoonAs(qApp, opened, keys);
-    }
     hmi::PanelDesigner& designer() {
         window->designs().openPanel("overview");
         return *qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
@@ -109,7 +105,7 @@ TEST_F(KeyboardTest, TheSetOfARecipeIsRenamed) {
     const int set = table->columnCount() - 1;
     table->setFocus();
     table->setCurrentCell(0, set);
-    meanwhile(&QApplication::activeModalWidget, [](QWidget& dialog) {
+    asSoonAs(qApp, &QApplication::activeModalWidget, [](QWidget& dialog) {
         auto* line = dialog.findChild<QLineEdit*>();
         line->selectAll();
         QTest::keyClicks(line, "Rye");
@@ -316,7 +312,7 @@ TEST_F(KeyboardTest, TheContextMenuIsAboutWhatIsSelected) {
     const auto menuOf = [&](QWidget* place) {
         giveFocus(*place);
         QStringList entries;
-        meanwhile(&QApplication::activePopupWidget, [&](QWidget& shown) {
+        asSoonAs(qApp, &QApplication::activePopupWidget, [&](QWidget& shown) {
             for (const QAction* action : shown.actions()) entries << QString(action->text()).remove('&');
             QTest::keyClick(&shown, Qt::Key_Escape);
         });

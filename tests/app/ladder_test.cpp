@@ -2,6 +2,7 @@
 // history, power flow while it runs, and the way of a new user to a motor that holds itself.
 #include "app/project/new_project.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/answer.h"
 
 #include <QAction>
 #include <QDropEvent>
@@ -9,7 +10,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QTimer>
 
 #include <algorithm>
 
@@ -423,11 +423,8 @@ TEST_F(LadderTest, AProblemIsOnItsElementAndAltEnterAppliesAFix) {
     ASSERT_TRUE(waitFor([&] { return view->scene().problemCount() > 0; }));
     EXPECT_FALSE(view->scene().problemAt(pickOf("stopp")).isEmpty());
     select("stopp");
-    QTimer chooser; // several fixes are a menu: the first one
-    QObject::connect(&chooser, &QTimer::timeout, [] {
-        if (QWidget* menu = QApplication::activePopupWidget()) QTest::keyClick(menu, Qt::Key_Return);
-    });
-    chooser.start(20);
+    inNextMenu(window.get(), // several fixes are a menu: the first one
+               [](QMenu& menu) { QTest::keyClick(&menu, Qt::Key_Return); });
     press(Qt::Key_Return, Qt::AltModifier);
     EXPECT_TRUE(waitFor([&] { return editor().utf8().find("stopp : BOOL") != std::string::npos; })) << editor().utf8();
 }
@@ -457,11 +454,7 @@ TEST_F(LadderTest, UsesAndDefinitionComeFromTheElement) {
     press(Qt::Key_F12, Qt::ShiftModifier);
     EXPECT_EQ(asked, editor().utf8().find("stop; // till"));
     QObject::connect(view, &editor::GraphView::renameRequested, view, [&](uint32_t offset) { asked = offset + 1000; });
-    QTimer closer; // of the dialog that asks for the new name
-    QObject::connect(&closer, &QTimer::timeout, [] {
-        if (QWidget* dialog = QApplication::activeModalWidget()) dialog->close();
-    });
-    closer.start(20);
+    inNext<QDialog>(window.get(), [](QDialog& dialog) { dialog.close(); }); // it asks for the new name
     select("start");
     press(Qt::Key_F2, Qt::ShiftModifier);
     EXPECT_EQ(asked, editor().utf8().find("start OR") + 1000);

@@ -2,13 +2,13 @@
 #include "app/main_window.h"
 #include "app/settings/translation.h"
 #include "tests/app/all_windows.h"
+#include "tests/support/answer.h"
 #include "tests/support/settle.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
-#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -89,15 +89,11 @@ TEST_F(ToolBarsTest, TheLastMenusOfTheTraceAreReachedOnASmallScreen) {
     QWidget* rest = restButton(*bar);
     ASSERT_TRUE(rest && waitFor([&] { return rest->isVisible(); }));
     QStringList seen;
-    QTimer look;
-    QObject::connect(&look, &QTimer::timeout, [&] {
-        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-        if (!menu) return;
-        for (QAction* action : menu->actions())
+    inNextMenu(window.get(), [&](QMenu& menu) {
+        for (QAction* action : menu.actions())
             if (action->menu()) seen << action->text() + ": " + QString::number(action->menu()->actions().size());
-        menu->close();
+        menu.close();
     });
-    look.start(20);
     QTest::mouseClick(rest, Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return !seen.isEmpty(); }));
     EXPECT_EQ(seen.filter("Trace configuration").size(), 1) << seen.join(", ").toStdString();

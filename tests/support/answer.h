@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <utility>
 
 namespace plc {
@@ -67,12 +68,15 @@ inline void pressInNext(QObject* context, const QString& button) {
         box.reject();
     });
 }
-/// The next question is answered with that button, or cancelled when it has none.
-inline void pressInNext(QObject* context, QMessageBox::StandardButton button) {
-    inNext<QMessageBox>(context, [button](QMessageBox& box) {
+/// The next question is answered with that button, or cancelled when it has none. True once it has been asked.
+inline std::shared_ptr<bool> pressInNext(QObject* context, QMessageBox::StandardButton button) {
+    auto wasAsked = std::make_shared<bool>(false);
+    inNext<QMessageBox>(context, [button, wasAsked](QMessageBox& box) {
+        *wasAsked = true;
         if (QAbstractButton* found = box.button(button)) return found->click();
         box.reject();
     });
+    return wasAsked;
 }
 /// The next dialog with a line for a text gets that text, and is accepted.
 inline void typeIntoNext(QObject* context, const QString& text) {
