@@ -95,9 +95,6 @@ void StEditor::toggleComment() {
 }
 
 void StEditor::duplicateLine() { SendScintilla(S::SCI_SELECTIONDUPLICATE); }
-void StEditor::moveLines(int direction) {
-    SendScintilla(direction < 0 ? S::SCI_MOVESELECTEDLINESUP : S::SCI_MOVESELECTEDLINESDOWN);
-}
 
 void StEditor::selectBlock() {
     const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONSTART)),

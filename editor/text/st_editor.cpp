@@ -355,7 +355,10 @@ uint32_t StEditor::offsetOf(int line, int column) const {
 }
 
 void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
-    std::sort(edits.begin(), edits.end(), [](const auto& a, const auto& b) { return a.range.begin > b.range.begin; });
+    // From the end, so that the places of those to come hold; what is put in before a stretch comes after it.
+    std::sort(edits.begin(), edits.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.range.begin, a.range.end) > std::pair(b.range.begin, b.range.end);
+    });
     if (edits.empty()) return;
     m_isApplying = true; // one change to those who listen, however many places
     beginUndoAction();

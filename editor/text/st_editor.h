@@ -131,7 +131,7 @@ public:
     void applyFix(); // Alt+Enter: a menu when there are several
     void toggleComment();
     void duplicateLine();
-    void moveLines(int direction);
+    void moveLines(int direction); // -1: up, 1: down; the lines of every selection
     void selectBlock();
     void selectNextOccurrence(); // one more caret, where the selected word stands next
     void goToMatchingWord();
