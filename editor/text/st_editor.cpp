@@ -216,7 +216,11 @@ std::optional<FileId> StEditor::fileId() const {
 void StEditor::load(const std::string& text) {
     m_isLoading = true;
     setEolMode(text.find("\r\n") != std::string::npos ? EolWindows : EolUnix); // as the file has it
-    setText(QString::fromStdString(text));
+    const bool wasReadOnly = isReadOnly();
+    setReadOnly(false);
+    SendScintilla(S::SCI_CLEARALL); // setText would end at the first byte of zero, and a save lose what is behind it
+    SendScintilla(S::SCI_APPENDTEXT, static_cast<unsigned long>(text.size()), text.data());
+    setReadOnly(wasReadOnly);
     SendScintilla(S::SCI_EMPTYUNDOBUFFER);
     m_isLoading = false;
     m_savedText = text;
