@@ -7,16 +7,20 @@
 #include "editor/kit/theme.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QHash>
+#include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPixmap>
 #include <QPushButton>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
@@ -260,22 +264,32 @@ QString StartPage::whyNoExamples() {
         .arg(places.join('\n'));
 }
 
-/// Read once, and again when its file is another one.
-QPixmap StartPage::pictureOf(const QString& folder) {
+namespace {
+
+/// Read once in a program, whatever number of windows it opens, and again when its file is another one.
+QPixmap pictureOf(const QString& folder) {
+    struct Picture {
+        QDateTime changed;
+        qint64 bytes = -1;
+        QImage picture;
+    };
+    static QHash<QString, Picture> pictures; // by file
     for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"}) {
         const QFileInfo file(folder + name);
         if (!file.exists()) continue;
-        Picture& kept = m_pictures[file.filePath()];
+        Picture& kept = pictures[file.filePath()];
         if (kept.changed != file.lastModified() || kept.bytes != file.size()) {
             QImage whole(file.filePath());
             if (!whole.isNull())
                 whole = whole.scaledToWidth(2 * kCardWidth, Qt::SmoothTransformation); // lines stay lines
-            kept = {file.lastModified(), file.size(), QPixmap::fromImage(std::move(whole))};
+            kept = {file.lastModified(), file.size(), std::move(whole)};
         }
-        if (!kept.picture.isNull()) return kept.picture;
+        if (!kept.picture.isNull()) return QPixmap::fromImage(kept.picture);
     }
     return {};
 }
+
+} // namespace
 
 void StartPage::wantPicture(int row) {
     if (!m_wanted.contains(row)) m_wanted << row;

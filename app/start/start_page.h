@@ -1,10 +1,7 @@
 // What the window shows without a project: recent projects and the shipped examples, a picture each. A picture is read
 // when its card is first seen, one in each turn of the event loop. Owned by the main window; GUI thread.
 #pragma once
-#include <QDateTime>
-#include <QHash>
 #include <QListWidget>
-#include <QPixmap>
 #include <QTimer>
 #include <QWidget>
 
@@ -38,18 +35,11 @@ signals:
     void tourRequested();
 
 private:
-    struct Picture {
-        QDateTime changed;
-        qint64 bytes = -1;
-        QPixmap picture;
-    };
-    QPixmap pictureOf(const QString& folder);
     void wantPicture(int row);
     void readNextPicture();
 
     Settings& m_settings;
-    QHash<QString, Picture> m_pictures; // by file
-    QList<int> m_wanted;                // rows of cards that were seen without their picture
+    QList<int> m_wanted; // rows of cards that were seen without their picture
     QTimer m_reading;
     QListWidget* m_recent;
     QListWidget* m_examples;
