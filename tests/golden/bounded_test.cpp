@@ -5,6 +5,7 @@
 #include "tests/support/kinds_of_long_scans.h"
 #include "tests/support/patience.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/repeats.h"
 
 #include <gtest/gtest.h>
 
@@ -123,7 +124,8 @@ TEST(Bounded, CallsAreAsDeepInEachTierWhetherTheyCanFaultOrNot) {
 
 TEST(Bounded, ADeepChainOfCallsWithManyBoundsKeepsToTheMachinesStack) {
     // LLVM's optimiser takes the square of the parameters: a hundred seconds for 1,000 dimensions.
-    for (const auto& [isOptimised, functions, count] : {std::tuple(false, 250, 1000), std::tuple(true, 750, 100)}) {
+    for (const auto& [isOptimised, functions, count] :
+         {std::tuple(false, 250, repeats(1000)), std::tuple(true, 750, repeats(100))}) {
         const auto dimensions = [count = count](const std::string& each) {
             return "[" + repeated(count, [&](int i) { return (i ? "," : "") + each; }) + "]";
         };
@@ -226,8 +228,9 @@ TEST(Bounded, LongProgramsAreBuiltInSecondsThatGrowAsTheyDo) {
     };
     for (const Row& row : {Row{"labels of a CASE", labels, 8'000}, Row{"ELSIF", branches, 100'000},
                            Row{"functions in a chain", calls, 20'000}}) {
-        const double quarter = secondsToBuild(row.text(row.size / 4));
-        const std::string all = row.text(row.size);
+        const int size = repeats(row.size);
+        const double quarter = secondsToBuild(row.text(size / 4));
+        const std::string all = row.text(size);
         const double most = 6 * quarter + 0.3; // what grows with the square takes 16 times as long
         double whole = secondsToBuild(all);
         // What else the machine does only adds (pages and caches are shared): the least is the program's own.

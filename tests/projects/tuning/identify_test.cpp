@@ -15,6 +15,7 @@ struct Family {
     double duration;
 };
 
+/// All; with a sanitizer every third, since the figures are the same and take ten times as long.
 std::vector<Family> families() {
     std::vector<Family> out;
     for (int n = 1; n <= 8; ++n) out.push_back({"(s+1)^-" + std::to_string(n), equalLags(n), 8.0 + 3 * n});
@@ -43,7 +44,10 @@ std::vector<Family> families() {
         oscillating.deadTime = 0.4;
         out.push_back({"oscillating late " + std::to_string(damping), oscillating, 15});
     }
-    return out;
+    if (plc::kFewer == 1) return out;
+    std::vector<Family> some;
+    for (size_t at = 0; at < out.size(); at += 3) some.push_back(out[at]);
+    return some;
 }
 
 double deadAndLag(const ProcessModel& model) { return model.deadTime + model.lagSum(); }
@@ -167,14 +171,14 @@ TEST(Identify, TheBoundsHoldWhatIsTrue) {
         inside += std::abs(bound.value - truth) <= bound.halfWidth;
         EXPECT_LT(bound.halfWidth, 0.5 * truth) << bound.name;
     };
-    for (unsigned seed = 1; seed <= 40; ++seed) {
+    for (unsigned seed = 1; seed <= plc::repeats(40U); ++seed) {
         const auto best = identify({stepOf(equalLags(1, 2, 1, 3), 16, 0.03, seed)});
         ASSERT_FALSE(best.empty());
         if (best.front().structure != Structure::OneLagDelay) continue;
         for (const Bound& bound : best.front().bounds)
             count(bound, bound.name == "gain" ? 3 : bound.name == "dead time" ? 1 : 2);
     }
-    EXPECT_GE(all, 90);
+    EXPECT_GE(all, plc::repeats(90));
     EXPECT_GE(inside * 100, all * 88) << inside << " of " << all;
 }
 
