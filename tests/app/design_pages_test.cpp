@@ -69,8 +69,8 @@ TEST_F(DesignPagesTest, AClosedDesignerOutlivesItsProjectByAMoment) {
     const QString folder = window->workspace().folder();
     window->closeProject();
     ASSERT_TRUE(window->openProject(folder));
-    // As inside a question: timers run, what is to be deleted later waits.
     QElapsedTimer time;
+    // a duration: of a question, inside of which timers run, and what is to be deleted later waits
     for (time.start(); time.elapsed() < 700;) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
     EXPECT_NE(openFromTree("overview"), nullptr);
 }

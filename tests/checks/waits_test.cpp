@@ -17,7 +17,7 @@ bool waitsFixedTime(const std::string& line) {
     for (const char* wait :
          {"qWait(", "qSleep(", "msleep(", "usleep(", "::sleep(", "nanosleep(", "sleep_for(", "sleep_until("})
         if (line.find(wait) != std::string::npos) return true;
-    static const std::regex timer("singleShot\\( *[1-9]");
+    static const std::regex timer("singleShot\\( *[1-9]|elapsed\\(\\) *[<>]=? *[0-9]");
     return std::regex_search(line, timer);
 }
 
@@ -45,6 +45,7 @@ void forEachLine(const std::function<void(const fs::path&, const std::string& be
 // ok:    sleep_for(delay); // a duration: of a slow line
 // wrong: qWait(300);                              ← says not what it waits for
 // wrong: QTimer::singleShot(150, answer);         ← the dialog opens later on a busy machine, and nobody answers it
+// wrong: waitUntil([&] { return clock.elapsed() > 3000; });   ← and what is to have happened by then has not, somewhere
 TEST(Waits, OfFixedLengthSayWhyTheyAreDurations) {
     forEachLine([](const fs::path& path, const std::string& before, const std::string& line) {
         if (path.filename() == "eventually.h") return;

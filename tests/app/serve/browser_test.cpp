@@ -174,9 +174,14 @@ void measureBrowsers(Chromium& chromium, size_t count, double scale) {
     const double serverBefore = service.processorSeconds();
     QElapsedTimer clock;
     clock.start();
-    EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 4000; }));
+    std::vector<double> after;
+    const auto allGoOn = [&] {
+        after = frames();
+        return std::equal(after.begin(), after.end(), before.begin(), std::greater<>());
+    };
+    // a duration: over which frames are counted, and until everybody has one
+    EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 4000 && allGoOn(); }, kPatience)) << "one stands still";
     const double seconds = static_cast<double>(clock.elapsed()) / 1000;
-    const std::vector<double> after = frames();
     const double server = service.processorSeconds() - serverBefore;
     const QHash<QString, double> cpu = chromium.processorSeconds();
     double sum = 0, least = 1e9;
