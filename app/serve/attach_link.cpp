@@ -21,7 +21,7 @@ AttachLink::AttachLink(QWebSocket* socket, session::Session& session, Gate& gate
     connect(socket, &QWebSocket::textMessageReceived, this, [this](const QString& text) { take(text.toUtf8()); });
     connect(socket, &QWebSocket::binaryMessageReceived, this,
             [this] { drop(QWebSocketProtocol::CloseCodeDatatypeNotSupported, QStringLiteral("text only")); });
-    connect(socket, &QWebSocket::pong, this, [this] { m_pongAt = m_now; });
+    connect(socket, &QWebSocket::pong, this, [this] { m_pongAt = m_given; });
     connect(socket, &QWebSocket::disconnected, this, [this] {
         if (std::exchange(m_isGone, true)) return;
         m_door.reset();
@@ -91,19 +91,20 @@ void AttachLink::logIn(const remote::Json& hello) {
     say(answer);
 }
 
-void AttachLink::frame(qint64 now) {
+void AttachLink::frame(qint64 now, qint64 given) {
     m_now = now;
+    m_given = given;
     if (m_isGone) return;
     constexpr qint64 kPingEvery = 20'000;
-    if (m_since < 0) m_since = m_pingAt = m_pongAt = now;
-    if (now - m_pingAt >= kPingEvery) {
-        m_pingAt = now;
+    if (m_since < 0) m_since = m_pingAt = m_pongAt = given;
+    if (given - m_pingAt >= kPingEvery) {
+        m_pingAt = given;
         m_socket->ping();
     }
-    if (now - m_pongAt > m_settings.silentWithin)
+    if (given - m_pongAt > m_settings.silentWithin)
         return drop(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("no answer"));
     if (!m_door) {
-        if (now - m_since > m_settings.codeWithin)
+        if (given - m_since > m_settings.codeWithin)
             drop(QWebSocketProtocol::CloseCodePolicyViolated, QStringLiteral("no code"));
         return;
     }

@@ -28,8 +28,8 @@ public:
     AttachLink(QWebSocket* socket, session::Session& session, Gate& gate, const AttachSettings& settings,
                std::string project, QObject* parent);
     ~AttachLink() override;
-    /// Answers and scans that are due; time in ms of any epoch.
-    void frame(qint64 now);
+    /// Answers and scans that are due; times in ms of any epoch, `given` of PeerTime.
+    void frame(qint64 now, qint64 given);
     void tell(const QString& refusal);
     bool isIn() const { return m_door != nullptr; }
 
@@ -49,7 +49,8 @@ private:
     std::string m_project;
     QString m_address;
     std::unique_ptr<remote::Door> m_door;
-    qint64 m_now = 0, m_since = -1, m_pingAt = -1, m_pongAt = -1, m_budgetAt = -1;
+    qint64 m_budgetAt = -1, m_now = 0;
+    qint64 m_since = -1, m_pingAt = -1, m_pongAt = -1, m_given = 0; // of the time it is given
     double m_budget;
     bool m_isGone = false;
 };

@@ -1,8 +1,10 @@
 // When a server's next frame begins: 30 a second, and as many fewer as leave a quarter of the time for everything else
-// where frames take long. A value of the server; times are arguments, ms of any epoch.
+// where frames take long. And the time that those at its other end are given. Values of the server; times are
+// arguments, ms of any epoch.
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace plc::serve {
 
@@ -20,6 +22,24 @@ public:
 
 private:
     int64_t m_due = INT64_MIN / 2; // of the frame that is painted
+};
+
+/// The time in which somebody must answer. It passes only as long as answers can be heard: a server whose machine had
+/// other work for a minute counts a second of it, and drops nobody for its own silence.
+class PeerTime {
+public:
+    static constexpr int64_t kMostBetweenFrames = 2 * FramePace::kSlowest;
+
+    /// At each frame; ms since the first.
+    int64_t at(int64_t now) {
+        if (m_last) m_time += std::clamp<int64_t>(now - *m_last, 0, kMostBetweenFrames);
+        m_last = now;
+        return m_time;
+    }
+
+private:
+    std::optional<int64_t> m_last;
+    int64_t m_time = 0;
 };
 
 } // namespace plc::serve

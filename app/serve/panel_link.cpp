@@ -36,7 +36,7 @@ PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, sessi
     connect(socket, &QWebSocket::textMessageReceived, this, [this](const QString& text) { take(text.toUtf8()); });
     connect(socket, &QWebSocket::binaryMessageReceived, this,
             [this] { drop(QWebSocketProtocol::CloseCodeDatatypeNotSupported, QStringLiteral("text only")); });
-    connect(socket, &QWebSocket::pong, this, [this] { m_pongAt = m_now; });
+    connect(socket, &QWebSocket::pong, this, [this] { m_pongAt = m_given; });
     connect(socket, &QWebSocket::disconnected, this, [this] {
         if (std::exchange(m_isGone, true)) return;
         emit gone(m_isHostile);
@@ -74,7 +74,7 @@ void PanelLink::take(const QByteArray& text) {
         if (message->number < m_drawn || message->number > m_panel.frameNumber())
             return drop(QWebSocketProtocol::CloseCodeProtocolError, QStringLiteral("no such frame"));
         m_drawn = static_cast<uint32_t>(message->number);
-        m_drawnAt = m_now;
+        m_drawnAt = m_given;
         break;
     case ClientWord::LogIn:
         logIn(*message);
@@ -106,23 +106,25 @@ void PanelLink::logIn(const ClientMessage& message) {
     m_answers += QByteArray::fromStdString(reply.dump());
 }
 
-void PanelLink::frame(qint64 now) {
+void PanelLink::frame(qint64 now, qint64 given) {
     m_now = now;
+    m_given = given;
     if (m_isGone) return;
     constexpr qint64 kPingEvery = 20'000, kPongWithin = 60'000;
-    if (m_pingAt < 0) m_pingAt = m_pongAt = m_drawnAt = now;
-    if (now - m_pingAt >= kPingEvery) {
-        m_pingAt = now;
+    if (m_pingAt < 0) m_pingAt = m_pongAt = m_drawnAt = given;
+    if (given - m_pingAt >= kPingEvery) {
+        m_pingAt = given;
         m_socket->ping();
     }
-    if (now - m_pongAt > kPongWithin) return drop(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("no answer"));
+    if (given - m_pongAt > kPongWithin)
+        return drop(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("no answer"));
     const bool isBehind = m_panel.frameNumber() - m_drawn >= static_cast<uint32_t>(m_limits.framesAhead);
     if (isBehind || m_socket->bytesToWrite() > m_limits.unsent) {
-        if (now - m_drawnAt > m_limits.drawnWithin)
+        if (given - m_drawnAt > m_limits.drawnWithin)
             drop(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("nothing is drawn"));
         return; // what changes meanwhile goes into the next frame
     }
-    if (m_panel.frameNumber() == m_drawn) m_drawnAt = now;
+    if (m_panel.frameNumber() == m_drawn) m_drawnAt = given;
     hmi::web::WebPanel::Output out = m_panel.next(now);
     for (const QByteArray& text : std::exchange(m_answers, {}) + out.texts)
         m_sentBytes += static_cast<uint64_t>(std::max<qint64>(0, m_socket->sendTextMessage(QString::fromUtf8(text))));

@@ -22,8 +22,8 @@ public:
               hmi::OperatorStation& keeper, Gate& gate, LinkLimits limits, QObject* parent);
     ~PanelLink() override;
 
-    /// Sends what is new, if the browser is ready for it; time in ms of any epoch.
-    void frame(qint64 now);
+    /// Sends what is new, if the browser is ready for it; times in ms of any epoch, `given` of PeerTime.
+    void frame(qint64 now, qint64 given);
     uint64_t sentBytes() const { return m_sentBytes; }
     uint64_t sentFrames() const { return m_sentFrames; }
     void tell(const QString& reason) { m_panel.tell(reason); }
@@ -44,7 +44,8 @@ private:
     QString m_address;
     QList<QByteArray> m_answers;
     uint32_t m_drawn = 0;
-    qint64 m_drawnAt = -1, m_pingAt = -1, m_pongAt = -1, m_budgetAt = -1, m_now = 0;
+    qint64 m_budgetAt = -1, m_now = 0;
+    qint64 m_drawnAt = -1, m_pingAt = -1, m_pongAt = -1, m_given = 0; // of the time it is given
     double m_budget = 0;
     uint64_t m_sentBytes = 0, m_sentFrames = 0;
     bool m_isGone = false, m_isHostile = false;

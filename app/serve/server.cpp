@@ -205,8 +205,9 @@ void Server::frames() {
     const qint64 begin = m_clock.elapsed();
     m_keeper.frame(std::chrono::steady_clock::now());
     const qint64 at = now(); // one moment for all: browsers that see the same share what is recorded of it
-    for (PanelLink* link : std::vector(m_links)) link->frame(at);
-    for (AttachLink* link : std::vector(m_attached)) link->frame(at);
+    const qint64 given = m_peerTime.at(at);
+    for (PanelLink* link : std::vector(m_links)) link->frame(at, given);
+    for (AttachLink* link : std::vector(m_attached)) link->frame(at, given);
     m_timer.start(static_cast<int>(m_pace.waitAfter(begin, m_clock.elapsed())));
 }
 

@@ -62,6 +62,7 @@ private:
     std::vector<AttachLink*> m_attached;
     QTimer m_timer;
     FramePace m_pace;
+    PeerTime m_peerTime;
     QElapsedTimer m_clock;
     uint64_t m_goneBytes = 0, m_goneFrames = 0, m_dropped = 0;
 };

@@ -104,6 +104,18 @@ TEST(Attach, ReadsWritesForcesAndReleases) {
     EXPECT_EQ(controller.state(), State::Attached) << "a wrong request is answered, not punished";
 }
 
+TEST(Attach, AStudioIsNotDroppedForTheSilenceOfTheServerItself) {
+    ServerSettings settings;
+    SleepingClock clock(settings);
+    const Plant plant({kAttachCode}, std::move(settings));
+    RemoteController controller;
+    ASSERT_TRUE(isAttached(controller, plant.address()));
+    ASSERT_TRUE(clock.sleep(0));
+    ASSERT_TRUE(clock.sleep(200'000));
+    EXPECT_TRUE(ask(controller, {{"do", "list"}, {"filter", "speed"}}));
+    EXPECT_EQ(plant.server->figures().droppedBrowsers, 0u) << "it would have come back by itself";
+}
+
 TEST(Attach, TheMirrorRecordsTheSameScansBitForBit) {
     const Plant plant;
     AttachedRun run;

@@ -35,5 +35,15 @@ TEST(FramePace, DoesNotMakeUpForAPause) {
     EXPECT_EQ(pace.waitAfter(60'033, 60'038), 28);
 }
 
+TEST(PeerTime, CountsNoSilenceOfTheServersOwn) {
+    PeerTime time;
+    EXPECT_EQ(time.at(5'000), 0);
+    EXPECT_EQ(time.at(5'033), 33);
+    EXPECT_EQ(time.at(5'533), 533) << "as slow as frames become by themselves";
+    EXPECT_EQ(time.at(65'533), 1'533) << "a minute for other work";
+    EXPECT_EQ(time.at(65'500), 1'533) << "a clock that was set back";
+    EXPECT_EQ(time.at(65'533), 1'566);
+}
+
 } // namespace
 } // namespace plc::serve

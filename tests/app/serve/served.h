@@ -1,6 +1,7 @@
 // A project that is built, runs and is served, for the server's tests. Main thread.
 #pragma once
 #include "app/serve/server.h"
+#include "chromium.h"
 #include "hmi/player/panel_commands.h"
 #include "projects/storage/project_file.h"
 #include "tests/support/paths.h"
@@ -41,6 +42,26 @@ struct Served {
         const types::Value value = expression->evaluate(image).value;
         const int64_t* whole = std::get_if<int64_t>(&value.data);
         return whole ? static_cast<double>(*whole) : value.real();
+    }
+};
+
+/// A server's clock that jumps when a test says so: the machine had other work, or was suspended.
+struct SleepingClock {
+    QElapsedTimer clock;
+    qint64 asleep = 0;
+    int asked = 0;
+    explicit SleepingClock(ServerSettings& settings) {
+        clock.start();
+        settings.clock = [this] {
+            ++asked;
+            return clock.elapsed() + asleep;
+        };
+    }
+    /// Until some frames after it.
+    bool sleep(qint64 milliseconds) {
+        asleep += milliseconds;
+        asked = 0;
+        return waitUntil([this] { return asked > 2; });
     }
 };
 

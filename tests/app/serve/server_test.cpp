@@ -230,6 +230,24 @@ TEST(Server, ABrowserThatNeverDrawsIsDroppedInTheEnd) {
     EXPECT_TRUE(waitUntil([&] { return hanging.frames > 0 && hanging.isClosed(); }));
 }
 
+/// A machine that has other work for minutes, or is suspended, hears nobody meanwhile.
+TEST(Server, ABrowserIsNotDroppedForTheSilenceOfTheServerItself) {
+    Served served;
+    ServerSettings settings;
+    SleepingClock clock(settings);
+    openMachine(served, settings);
+    served.machine->startThread({session::Pace::Real});
+    Client client(served);
+    client.draws = false;
+    ASSERT_TRUE(waitUntil([&] { return client.frames == settings.link.framesAhead; }));
+    ASSERT_TRUE(clock.sleep(200'000)) << "it goes on before it hears what the browser says";
+    client.draws = true;
+    client.say(QStringLiteral(R"({"t":"drawn","n":%1})").arg(client.last));
+    const int frames = client.frames;
+    ASSERT_TRUE(waitUntil([&] { return client.frames > frames + 3 || client.isClosed(); }));
+    EXPECT_FALSE(client.isClosed()) << client.socket.closeReason().toStdString();
+}
+
 TEST(Server, TheCodeLetsOperateAndNothingElseDoes) {
     Served served;
     openMachine(served);
