@@ -110,7 +110,7 @@ TEST(Attach, AStudioIsNotDroppedForTheSilenceOfTheServerItself) {
     const Plant plant({kAttachCode}, std::move(settings));
     RemoteController controller;
     ASSERT_TRUE(isAttached(controller, plant.address()));
-    ASSERT_TRUE(clock.sleep(0));
+    ASSERT_TRUE(clock.sleep(0)); // until frames of this studio have passed
     ASSERT_TRUE(clock.sleep(200'000));
     EXPECT_TRUE(ask(controller, {{"do", "list"}, {"filter", "speed"}}));
     EXPECT_EQ(plant.server->figures().droppedBrowsers, 0u) << "it would have come back by itself";
