@@ -115,10 +115,6 @@ protected:
         ASSERT_TRUE(waitFor([&] { return value(pin.c_str()) != before; })) << button;
         waitForScans();
     }
-    void pause() {
-        control().pause();
-        ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
-    }
     /// Writes and takes back a few times at full speed. After each the output's move in the scan in which the gain
     /// changed is compared with its greatest move in the scans around; at once, because at this speed the recording
     /// soon forgets its beginning.

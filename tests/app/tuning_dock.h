@@ -90,6 +90,15 @@ protected:
             return item->text(column);
         return {};
     }
+    /// What is written is seen at once, and recorded with the next scan.
+    void waitForScan() {
+        const uint64_t before = control().status().scans;
+        ASSERT_TRUE(waitFor([&] { return control().status().scans > before; }));
+    }
+    void pause() {
+        control().pause();
+        ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
+    }
     double value(const char* path) { return control().value(path).text.toDouble(); }
     const waveform::Chart& chart(const char* figure) { return part<plot::FigureView>(figure)->figure().charts.front(); }
     bool waitForTrial() {

@@ -73,8 +73,8 @@ TEST_F(TuningDockWithGainConstant, TheOutputGoesOnWhereItIs) {
     ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
     click("tuningWrite");
     ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rKp") != gain; }));
-    control().pause();
-    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
+    waitForScan();
+    pause();
     history::Position from = control().session()->history().statistics().first;
     const double bump = bumpAt("Main.pid.i_rKp", from);
     history::Position same = control().session()->history().statistics().first;
@@ -106,8 +106,8 @@ TEST_F(TuningDock, WritesAllParametersInOneScanAndTakesThemBack) {
     click("tuningBack");
     EXPECT_EQ(now("Gain"), "1.5");
     ASSERT_TRUE(waitFor([&] { return value("Main.Kp") == 1.5 && value("Main.Tn") == 900; }));
-    control().pause();
-    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Paused; }));
+    waitForScan();
+    pause();
     const session::Session& session = *control().session();
     const auto change = [&](const char* path, history::Position from) {
         const auto expression = session.expression(path);

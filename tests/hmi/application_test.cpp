@@ -60,6 +60,11 @@ struct Plant {
         const BindingId id = player->values()->bind(QString::fromUtf8(expression));
         return hmi::waitFor(*player, [&] { return player->values()->value(id).toBool(); });
     }
+    /// What is written is seen at once, and recorded with the next scan.
+    bool waitForScan() {
+        const uint64_t before = session.status().scans;
+        return hmi::waitFor(*player, [&] { return session.status().scans > before; });
+    }
     template <class Box> Box* box() {
         Box* found = nullptr;
         EXPECT_TRUE(QTest::qWaitFor(
@@ -340,6 +345,7 @@ TEST(Recipe, ASetIsWrittenInOneScanAndOneWithAMistakeNotAtAll) {
     plant.clickKey(0);
     EXPECT_TRUE(plant.waitFor("Main.level = 30.5 AND Main.small = -7 AND Main.name = 'abc'"))
         << player.lastRefusal().toStdString();
+    ASSERT_TRUE(plant.waitForScan());
     // In every recorded scan either none or all of it.
     const auto level = plant.session.expression("Main.level"), small = plant.session.expression("Main.small");
     ASSERT_TRUE(level && small);
