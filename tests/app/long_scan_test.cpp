@@ -21,12 +21,12 @@ protected:
         ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Running; }));
         QTest::qWait(300); // a duration: of the scan; that it has begun cannot be seen before it ends
         ASSERT_EQ(window->control().status().scans, 0u);
-        m_since = processorSeconds();
+        m_since = ownSeconds();
     }
     /// With what else closing does; the scan itself takes years. The threads of window and scan work at the same time.
     /// The last values are kept and shown: two images of memory, which is nothing of the scan's.
     void expectAtOnce() const {
-        const double took = processorSeconds() - m_since;
+        const double took = ownSeconds() - m_since;
         EXPECT_LT(took, kAtOnceSeconds + kTimesTouched * secondsForNewMemory(240'000'000));
     }
 

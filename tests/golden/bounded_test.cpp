@@ -272,13 +272,13 @@ public:
     /// The processor time from the request to the end.
     double secondsToStop(const std::function<void(session::Session&)>& ask) {
         const auto begin = std::chrono::steady_clock::now();
-        const double used = processorSeconds();
+        const double used = ownSeconds();
         ask(*session);
         while (session->status().state != controller::State::Stopped &&
                std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(kPatience))
             std::this_thread::sleep_for(1ms); // a duration: between two looks
         EXPECT_EQ(session->status().state, controller::State::Stopped);
-        return processorSeconds() - used;
+        return ownSeconds() - used;
     }
     SeenClock clock;
     std::unique_ptr<session::Session> session;
@@ -295,9 +295,9 @@ TEST(Bounded, StopAndResetEndAnyScan) {
 
 TEST(Bounded, ClosingEndsAnyScan) {
     EndlessScan scan(session::Pace::Real);
-    const double used = processorSeconds();
+    const double used = ownSeconds();
     scan.session.reset();
-    EXPECT_LT(processorSeconds() - used, kAtOnceSeconds);
+    EXPECT_LT(ownSeconds() - used, kAtOnceSeconds);
 }
 
 TEST(Bounded, AScanIsLeftInTheMiddleOfAnyWork) {

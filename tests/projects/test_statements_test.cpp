@@ -60,11 +60,11 @@ TEST(Cancelling, EndsATestAtOnceInTheMiddleOfWhateverItDoes) {
             while (!isBegun) std::this_thread::yield();
             // a duration: of the second test, into its work
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
-            asked = processorSeconds();
+            asked = ownSeconds();
             work.cancel();
         });
         const auto report = runTests(project, options);
-        const double over = processorSeconds();
+        const double over = ownSeconds();
         isBegun = true; // had it been refused
         canceller.join();
         ASSERT_TRUE(report) << kind.name;

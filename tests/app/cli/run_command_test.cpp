@@ -146,13 +146,13 @@ TEST_F(RunCommand, CtrlCEndsAScanThatTakesYears) {
                     if (!catchesInterrupts()) std::_Exit(98); // refused: it has not run
                     // a duration: that the scan has begun cannot be seen from outside
                     std::this_thread::sleep_for(std::chrono::milliseconds(300));
-                    pressed = processorSeconds();
+                    pressed = ownSeconds();
                     ::kill(::getpid(), SIGINT);
                 });
                 (void)command(line);
                 isOver = true;
                 presser.join(); // a fast machine may have used up the budget of virtual time before
-                const double took = processorSeconds() - pressed; // with an image of memory for the last values
+                const double took = ownSeconds() - pressed; // with an image of memory for the last values
                 std::_Exit(took < kAtOnceSeconds + secondsForNewMemory(360'000'000) ? 40 : 99);
             };
             EXPECT_EXIT(interrupted(), testing::ExitedWithCode(40), "") << scan.name << ": " << line[0];
@@ -182,9 +182,9 @@ TEST_F(RunCommand, CtrlCEndsALookIntoALongScan) {
                 eventually(catchesInterrupts);
                 // a duration: that the look has begun cannot be seen from outside
                 std::this_thread::sleep_for(std::chrono::milliseconds(300));
-                const double pressed = processorSeconds();
+                const double pressed = ownSeconds();
                 ::kill(::getpid(), SIGINT);
-                eventually([&] { return processorSeconds() - pressed >= atMost; });
+                eventually([&] { return ownSeconds() - pressed >= atMost; });
                 std::_Exit(99);
             });
             const int code = command(line);
